@@ -1,0 +1,89 @@
+# What the folders examples/, test/ and benchmark/ share, whether they are configured alone or by the top CMakeLists.txt:
+# the libraries found on this machine, the targets of the package, compiler options, and how a program is declared.
+#
+# CGAL::Jet_fitting_3_core   our headers alone: enough for the stand-alone class
+# CGAL::Jet_fitting_3        our headers before CGAL's own, with CGAL and Eigen where they are found
+# CGAL::Lapacke_support      what CGAL::Lapack_svd needs, where LAPACKE is found
+
+include_guard(GLOBAL)
+
+get_filename_component(JET_FITTING_3_ROOT "${CMAKE_CURRENT_LIST_DIR}" DIRECTORY)
+list(APPEND CMAKE_MODULE_PATH "${JET_FITTING_3_ROOT}/cmake")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+if(NOT CMAKE_CXX_STANDARD)
+  set(CMAKE_CXX_STANDARD 17)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+option(JET_FITTING_3_NATIVE "Compile for the processor of this machine (-march=native)" OFF)
+option(JET_FITTING_3_WARNINGS_AS_ERRORS "A warning in our headers or programs stops the build" OFF)
+set(JET_FITTING_3_SANITIZE "" CACHE STRING "Sanitizers of the programs, as in -fsanitize=: address,undefined or thread")
+
+if(JET_FITTING_3_NATIVE)
+  add_compile_options(-march=native)
+endif()
+if(JET_FITTING_3_SANITIZE)
+  add_compile_options(-fsanitize=${JET_FITTING_3_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${JET_FITTING_3_SANITIZE})
+endif()
+
+include(unpack_cgal_demo)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
+find_package(CGAL QUIET)
+find_package(Eigen3 QUIET)
+include(CGAL_Eigen3_support OPTIONAL)
+find_package(TBB QUIET)
+include(CGAL_TBB_support OPTIONAL)
+find_package(LAPACKE QUIET)
+find_package(Boost QUIET OPTIONAL_COMPONENTS program_options)
+
+add_library(Jet_fitting_3_core INTERFACE)
+add_library(CGAL::Jet_fitting_3_core ALIAS Jet_fitting_3_core)
+target_compile_features(Jet_fitting_3_core INTERFACE cxx_std_17)
+target_include_directories(Jet_fitting_3_core INTERFACE
+  "$<BUILD_INTERFACE:${JET_FITTING_3_ROOT}/include>" "$<INSTALL_INTERFACE:include/Jet_fitting_3>")
+
+add_library(Jet_fitting_3 INTERFACE)
+add_library(CGAL::Jet_fitting_3 ALIAS Jet_fitting_3)
+target_link_libraries(Jet_fitting_3 INTERFACE Jet_fitting_3_core)
+# Not exported: find_package(Jet_fitting_3) finds these again on the machine of the user.
+foreach(library IN ITEMS CGAL::CGAL CGAL::Data CGAL::Eigen3_support)
+  if(TARGET ${library})
+    target_link_libraries(Jet_fitting_3 INTERFACE "$<BUILD_INTERFACE:${library}>")
+  else()
+    message(STATUS "NOTICE: ${library} is not found: the programs that need it are left out.")
+  endif()
+endforeach()
+
+# jet_fitting_3_add_program(<name> [CORE] [STRICT] [REQUIRES <target>...])
+#   declares the executable <name> from <name>.cpp of the current folder, linked with CGAL::Jet_fitting_3 (CORE: with
+#   our headers alone, CGAL may be missing) and with the required targets; leaves it out with a notice where one of
+#   them is missing. STRICT turns on the warnings that our headers are to be free of.
+function(jet_fitting_3_add_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 program "CORE;STRICT" "" "REQUIRES")
+  if(NOT program_CORE)
+    list(PREPEND program_REQUIRES CGAL::CGAL CGAL::Eigen3_support)
+  endif()
+  foreach(library IN LISTS program_REQUIRES)
+    if(NOT TARGET ${library})
+      message(STATUS "NOTICE: ${name} needs ${library} and will not be compiled.")
+      return()
+    endif()
+  endforeach()
+  add_executable(${name} ${name}.cpp)
+  # Ours comes first: CGAL's own header of the same name is found in the folders of CGAL::CGAL.
+  target_link_libraries(${name} PRIVATE CGAL::Jet_fitting_3_core)
+  if(NOT program_CORE)
+    target_link_libraries(${name} PRIVATE CGAL::Jet_fitting_3)
+  endif()
+  target_link_libraries(${name} PRIVATE ${program_REQUIRES})
+  if(program_STRICT)
+    target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow -Wconversion)
+  endif()
+  if(JET_FITTING_3_WARNINGS_AS_ERRORS)
+    target_compile_options(${name} PRIVATE -Werror)
+  endif()
+endfunction()
