@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INVALID_INPUT_H
+#define CGAL_JET_FITTING_3_INVALID_INPUT_H
+
+#include <CGAL/Jet_fitting_3/values/Jet.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// Thrown, in every build type, when a function is called with arguments that break its preconditions.
+/// The message names the argument and the numbers.
+class Invalid_input : public std::invalid_argument
+{
+public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// 1 <= d' <= d. \throw Invalid_input otherwise
+inline void check_degrees(std::size_t d, std::size_t dprime)
+{
+  if (dprime < 1 || dprime > d)
+    throw Invalid_input("the degree of the Monge form must lie between 1 and the degree of the fitted jet: got d' = " +
+                        std::to_string(dprime) + ", d = " + std::to_string(d));
+}
+
+/// At least N_d samples. \throw Invalid_input otherwise
+inline void check_number_of_samples(std::size_t n, std::size_t d)
+{
+  if (n < number_of_jet_coefficients(d))
+    throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " +
+                        std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INVALID_INPUT_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_MONGE_ESTIMATE_H
+#define CGAL_JET_FITTING_3_MONGE_ESTIMATE_H
+
+#include <CGAL/Jet_fitting_3/Monge_form.h>
+#include <CGAL/Jet_fitting_3/estimation.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// How much the samples determine.
+enum class Fit_status
+{
+  full_rank,     ///< one jet fits best
+  rank_deficient ///< several do (section 2.2: samples on an algebraic curve, coinciding, collinear); the smallest is taken
+};
+
+/// All that one fit tells: the Monge form, and what is known about its quality. A value: copies do not share anything.
+///
+/// How to read it: rank and condition number tell whether the samples determine the jet, not whether the jet resembles
+/// the surface. For that look at the residual against the noise you expect, and at the variances: the smallest should be
+/// far below the second, or the z axis of the fit may be far from the normal.
+template <class DataKernel, class LocalKernel>
+class Monge_estimate
+{
+public:
+  using FT = typename LocalKernel::FT;
+  using Local_vector_3 = typename LocalKernel::Vector_3;
+
+  Monge_estimate(const Monge_form<DataKernel>& form, Estimation<FT> details)
+    : m_form(form), m_details(std::move(details))
+  {}
+
+  const Monge_form<DataKernel>& monge_form() const { return m_form; }
+  Monge_form<DataKernel>& monge_form() { return m_form; }
+
+  Fit_status status() const
+  {
+    return rank() < number_of_jet_coefficients(m_details.jet.degree()) ? Fit_status::rank_deficient
+                                                                       : Fit_status::full_rank;
+  }
+
+  /// Numerical rank of the system, N_d if the samples determine the jet.
+  std::size_t rank() const { return m_details.rank(); }
+
+  /// Ratio of the extreme singular values of the preconditioned system (section 3.2); infinite where the smallest is 0.
+  /// Computed at each call.
+  FT condition_number() const { return m_details.condition_number(); }
+
+  /// Root mean square of the (weighted) residuals, measured along the fitting z axis, in length.
+  FT residual_rms() const { return m_details.residual_rms; }
+
+  /// Axis i of the fitting basis (x, y, z for i = 0, 1, 2) after the variance of the samples along it, in length^2.
+  /// From the PCA the variances descend.
+  std::pair<FT, Local_vector_3> pca_basis(std::size_t i) const
+  {
+    return m_details.fitting.template axis<Local_vector_3>(i);
+  }
+
+  /// The fitted jet, in the fitting basis with p as origin.
+  const Jet<FT>& jet() const { return m_details.jet; }
+
+  const Estimation<FT>& details() const { return m_details; }
+
+private:
+  Monge_form<DataKernel> m_form;
+  Estimation<FT> m_details;
+};
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_MONGE_ESTIMATE_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_MONGE_FORM_H
+#define CGAL_JET_FITTING_3_MONGE_FORM_H
+
+#include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// The result of an estimation (section 5.1.2): the point of the fitted surface at which the quantities are estimated,
+/// the orthonormal direct Monge basis (d1, d2, n) there, and the Monge coefficients: the surface is, in this basis,
+///
+///   z = 1/2 (k1 x^2 + k2 y^2) + 1/6 (b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3) + 1/24 (c0 x^4 + 4 c1 x^3 y + ...) + ...
+///
+/// k1 >= k2, in 1/length, are positive where the surface bends towards n: -1/r on a sphere of radius r whose n points
+/// outwards. (-d1, -d2, n), under which the coefficients of odd order change sign, is the other Monge basis.
+///
+/// A default constructed form is empty: zero vectors, no coefficients. So is the form of a point that could not be
+/// estimated.
+///
+/// \tparam DataKernel has FT, Point_3 and Vector_3
+template <class DataKernel>
+class Monge_form
+{
+public:
+  using FT = typename DataKernel::FT;
+  using Point_3 = typename DataKernel::Point_3;
+  using Vector_3 = typename DataKernel::Vector_3;
+
+  Monge_form() : Monge_form(Point_3(FT(0), FT(0), FT(0)), zero(), zero(), zero()) {}
+
+  Monge_form(const Point_3& origin, const Vector_3& d1, const Vector_3& d2, const Vector_3& n)
+    : m_origin(origin), m_d1(d1), m_d2(d2), m_n(n)
+  {}
+
+  /// The projection of p on the fitted surface along the z axis of the fitting basis.
+  const Point_3& origin() const { return m_origin; }
+  Point_3& origin() { return m_origin; }
+  /// d1, the direction of k1.
+  const Vector_3& maximal_principal_direction() const { return m_d1; }
+  Vector_3& maximal_principal_direction() { return m_d1; }
+  /// d2, the direction of k2.
+  const Vector_3& minimal_principal_direction() const { return m_d2; }
+  Vector_3& minimal_principal_direction() { return m_d2; }
+  /// n = d1 ^ d2.
+  const Vector_3& normal_direction() const { return m_n; }
+  Vector_3& normal_direction() { return m_n; }
+
+  /// k1, k2, b0..b3, c0..c4, then g_50, g_41, ..., up to the degree d': (d'+1)(d'+2)/2 - 4 entries, none for d' = 1.
+  const std::vector<FT>& coefficients() const { return m_coefficients; }
+  std::vector<FT>& coefficients() { return m_coefficients; }
+
+  /// k1 for i = 0, k2 for i = 1.
+  /// \throw std::out_of_range (as all coefficient accessors) for an index that does not exist at this degree
+  const FT& principal_curvatures(std::size_t i) const { return coefficient("principal curvature", i, 2, 0); }
+  /// b_i.
+  const FT& third_order_coefficients(std::size_t i) const { return coefficient("third order coefficient", i, 4, 2); }
+  /// c_i.
+  const FT& fourth_order_coefficients(std::size_t i) const { return coefficient("fourth order coefficient", i, 5, 6); }
+
+  /// The degree d' of the form; 1 if it has no coefficients.
+  std::size_t degree() const
+  {
+    std::size_t degree = 1;
+    while (number_of_monge_coefficients(degree + 1) <= m_coefficients.size()) ++degree;
+    return degree;
+  }
+
+  /// g_ij, the derivative of the height function of the form, for i + j <= d': g_20 = k1, g_02 = k2, b_j = g_(3-j)j, ...
+  /// Those of order below 2 and g_11 are 0.
+  FT derivative(std::size_t i, std::size_t j) const
+  {
+    const std::size_t order = i + j;
+    if (order > degree())
+      throw std::out_of_range("Monge_form::derivative(" + std::to_string(i) + ", " + std::to_string(j) +
+                              "): the form has degree " + std::to_string(degree()));
+    if (order < 2 || (i == 1 && j == 1)) return FT(0);
+    return m_coefficients[order == 2 ? j / 2 : monge_offset(order) + j];
+  }
+
+  /// Makes room for the coefficients of degree d', all zero.
+  void set_up(std::size_t degree) { m_coefficients.assign(number_of_monge_coefficients(degree), FT(0)); }
+
+  /// Turns the normal to the side of the given one (section 5.1.2): if given . n < 0, the basis becomes (d2, d1, -n),
+  /// in which z = g(x, y) reads z = -g(y, x), so that every coefficient g_ij becomes -g_ji. Exact; doing it twice with
+  /// opposite normals restores the form.
+  /// \return false if given . n is 0 or not a number: the given normal orients nothing, and the form stays as it is
+  bool comply_wrt_given_normal(const Vector_3& given)
+  {
+    const FT cosine = given.x() * m_n.x() + given.y() * m_n.y() + given.z() * m_n.z();
+    if (!(cosine < FT(0))) return cosine > FT(0);
+    m_n = Vector_3(-m_n.x(), -m_n.y(), -m_n.z());
+    std::swap(m_d1, m_d2);
+    for (FT& coefficient : m_coefficients) coefficient = -coefficient;
+    for (std::size_t k = 2; k <= degree() && !m_coefficients.empty(); ++k)
+      std::reverse(m_coefficients.begin() + std::ptrdiff_t(k == 2 ? 0 : monge_offset(k)),
+                   m_coefficients.begin() + std::ptrdiff_t(monge_offset(k + 1)));
+    return true;
+  }
+
+  /// Writes the form as labelled lines; what operator<< writes too.
+  void dump_verbose(std::ostream& out) const
+  {
+    out << "origin : " << m_origin << '\n' << "n : " << m_n << '\n';
+    const std::size_t highest = degree();
+    if (highest >= 2)
+      out << "d1 : " << m_d1 << '\n' << "d2 : " << m_d2 << '\n'
+          << "k1 : " << m_coefficients[0] << '\n' << "k2 : " << m_coefficients[1] << '\n';
+    for (std::size_t k = 3; k <= highest; ++k) {
+      for (std::size_t i = 0; i <= k; ++i) {
+        if (k == 3) out << 'b' << i;
+        else if (k == 4) out << 'c' << i;
+        else out << 'g' << k - i << '_' << i;
+        out << " : " << m_coefficients[monge_offset(k) + i] << '\n';
+      }
+      if (k == 4) out << '\n';
+    }
+  }
+
+  /// Writes origin, d1 * scale, d2 * scale, k1, k2 on one line: a segment for each direction.
+  /// \throw std::out_of_range if d' < 2
+  void dump_4ogl(std::ostream& out, const FT scale) const
+  {
+    out << m_origin << ' ' << m_d1 * scale << ' ' << m_d2 * scale << ' ' << principal_curvatures(0) << ' '
+        << principal_curvatures(1) << " \n";
+  }
+
+private:
+  static Vector_3 zero() { return Vector_3(FT(0), FT(0), FT(0)); }
+
+  const FT& coefficient(const char* name, std::size_t i, std::size_t count, std::size_t first) const
+  {
+    if (i >= count || first + count > m_coefficients.size())
+      throw std::out_of_range("Monge_form has no " + std::string(name) + ' ' + std::to_string(i) + ": its degree is " +
+                              std::to_string(degree()));
+    return m_coefficients[first + i];
+  }
+
+  Point_3 m_origin;
+  Vector_3 m_d1, m_d2, m_n;
+  std::vector<FT> m_coefficients;
+};
+
+template <class DataKernel>
+std::ostream& operator<<(std::ostream& out, const Monge_form<DataKernel>& form)
+{
+  form.dump_verbose(out);
+  return out;
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_MONGE_FORM_H

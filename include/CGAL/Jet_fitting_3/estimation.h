@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_ESTIMATION_H
+#define CGAL_JET_FITTING_3_ESTIMATION_H
+
+#include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
+#include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
+#include <CGAL/Jet_fitting_3/steps/monge_basis.h>
+#include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// Everything known about one fit. Lengths in the unit of the samples, positions relative to p.
+template <class FT>
+struct Estimation
+{
+  Fitting_basis<FT> fitting;              ///< step 1, in world coordinates
+  Jet<FT> jet;                            ///< step 2, in the fitting basis
+  Vector_3<FT> origin;                    ///< (0, 0, A_00) of the fitting basis, in world axes, relative to p
+  Basis_3<FT> monge_axes;                 ///< step 3: d1, d2, n, in world coordinates
+  Monge_coefficients<FT> coefficients;    ///< step 4
+  FT residual_rms;                        ///< root of the weighted mean of the squared residuals
+  numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system, in the unit of the computation
+
+  std::size_t rank() const { return solution.rank; }
+
+  /// Ratio of the extreme singular values of the preconditioned system; infinite where the smallest is zero.
+  /// Computed here unless the solver has found it already.
+  FT condition_number() const
+  {
+    return solution.r.size() > 0 ? numeric::condition_number(solution.r) : solution.condition_number;
+  }
+};
+
+/// The four steps of section 2.1.3 on samples relative to p. `fitting` makes the fitting basis from samples.
+/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business.
+template <class FT, class Make_fitting_basis, class Solver>
+Estimation<FT> estimate(Samples<FT> samples, std::size_t degree, std::size_t dprime,
+                        const Make_fitting_basis& make_fitting_basis, Solver& solver)
+{
+  const FT unit = unit_of_length(samples), inverse_unit = FT(1) / unit;
+  samples.scale(inverse_unit);
+
+  const Fitting_basis<FT> fitting = make_fitting_basis(samples);
+  Jet_fit<FT> fit = fit_jet(samples, fitting.axes, degree, solver);
+  const Monge_basis<FT> monge = monge_basis(fit.jet, fitting.axes);
+  Monge_coefficients<FT> coefficients;
+  if (dprime >= 2) coefficients = monge_coefficients(fit.jet, monge, dprime);
+
+  FT power = inverse_unit; // length^(1-k) back to the unit of the samples
+  for (std::size_t k = 2; k <= dprime; ++k, power = power * inverse_unit)
+    for (std::size_t i = k == 2 ? 0 : monge_offset(k); i < monge_offset(k + 1); ++i)
+      coefficients[i] = coefficients[i] * power;
+  const FT square_unit = unit * unit;
+  return {{fitting.axes,
+           {{fitting.variances[0] * square_unit, fitting.variances[1] * square_unit,
+             fitting.variances[2] * square_unit}}},
+          in_smaller_unit(fit.jet, unit),
+          unit * (fit.jet(0, 0) * fitting.axes.z),
+          {fitting.axes.out(monge.axes.x), fitting.axes.out(monge.axes.y), fitting.axes.out(monge.axes.z)},
+          std::move(coefficients),
+          unit * numeric::square_root(FT(fit.solution.square_sum / samples.total_weight())),
+          std::move(fit.solution)};
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_ESTIMATION_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_POINT_TABLE_H
+#define CGAL_JET_FITTING_3_INTERNAL_POINT_TABLE_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// The points of one call, packed: coordinates where they are built-in floating point numbers, else the points.
+template <class Kernel, bool is_floating = std::is_floating_point<typename Kernel::FT>::value>
+class Packed_points
+{
+  using FT = typename Kernel::FT;
+  using Point_3 = typename Kernel::Point_3;
+
+public:
+  void reserve(std::size_t size) { m_points.reserve(size); }
+  std::size_t size() const { return m_points.size(); }
+  void push_back(const Point_3& p) { m_points.push_back({p.x(), p.y(), p.z()}); }
+  Point_3 operator[](Index i) const { return Point_3(m_points[i].x, m_points[i].y, m_points[i].z); }
+
+  bool is_finite(Index i) const
+  {
+    return std::isfinite(m_points[i].x) && std::isfinite(m_points[i].y) && std::isfinite(m_points[i].z);
+  }
+
+  Vector_3<double> offset(Index from, Index to) const
+  {
+    const Vector_3<FT> d = m_points[to] - m_points[from];
+    return {double(d.x), double(d.y), double(d.z)};
+  }
+
+private:
+  std::vector<Vector_3<FT>> m_points;
+};
+
+template <class Kernel>
+class Packed_points<Kernel, false>
+{
+  using Point_3 = typename Kernel::Point_3;
+
+public:
+  void reserve(std::size_t size) { m_points.reserve(size); }
+  std::size_t size() const { return m_points.size(); }
+  void push_back(const Point_3& p) { m_points.push_back(p); }
+  const Point_3& operator[](Index i) const { return m_points[i]; }
+
+  bool is_finite(Index i) const
+  {
+    return CGAL::is_finite(m_points[i].x()) && CGAL::is_finite(m_points[i].y()) && CGAL::is_finite(m_points[i].z());
+  }
+
+  /// The difference is taken, and made exact, before it becomes a double: nothing is lost far from the origin.
+  Vector_3<double> offset(Index from, Index to) const
+  {
+    const Point_3& a = m_points[from];
+    const Point_3& b = m_points[to];
+    return {to_double(exact(b.x() - a.x())), to_double(exact(b.y() - a.y())), to_double(exact(b.z() - a.z()))};
+  }
+
+private:
+  std::vector<Point_3> m_points;
+};
+
+/// The packed points and a unit of length, for distances whose squares neither overflow nor underflow.
+template <class Kernel>
+class Point_table : public Packed_points<Kernel>
+{
+  using Base = Packed_points<Kernel>;
+
+public:
+  /// To be called once the table is filled: the unit is a power of two above the size of the bounding box.
+  void measure()
+  {
+    double size = 0;
+    Index first = no_index;
+    for (Index i = 0; i < Base::size(); ++i) {
+      if (!Base::is_finite(i)) continue;
+      if (first == no_index) first = i;
+      const Vector_3<double> d = Base::offset(first, i);
+      size = (std::max)({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    m_per_length = 1 / numeric::power_of_two_above(size);
+  }
+
+  /// How many units one length is.
+  double per_length() const { return m_per_length; }
+
+  Vector_3<double> offset_in_units(Index from, Index to) const { return m_per_length * Base::offset(from, to); }
+
+  double squared_distance_in_units(Index i, Index j) const
+  {
+    const Vector_3<double> d = offset_in_units(i, j);
+    return dot(d, d);
+  }
+
+private:
+  double m_per_length = 1;
+};
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_POINT_TABLE_H

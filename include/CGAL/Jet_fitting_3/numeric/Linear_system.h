@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_LINEAR_SYSTEM_H
+#define CGAL_JET_FITTING_3_NUMERIC_LINEAR_SYSTEM_H
+
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/Pack.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+/// Consecutive rows of a column that are computed together: one for most number types; a register full of them for
+/// float and double.
+template <class FT, int rows = native_lanes<FT>()>
+struct Row_block
+{
+  using type = Pack<FT, rows>;
+  static constexpr std::size_t size = rows;
+  static type load(const FT* p) { return type::load(p); }
+  static void store(const type& block, FT* p) { block.store(p); }
+  static FT sum(const type& block) { return sum_of_lanes(block); }
+};
+
+template <class FT>
+struct Row_block<FT, 1>
+{
+  using type = FT;
+  static constexpr std::size_t size = 1;
+  static type load(const FT* p) { return *p; }
+  static void store(const type& block, FT* p) { *p = block; }
+  static FT sum(const type& block) { return block; }
+};
+
+/// The least squares system M Y = Z, one column of M after the other, then Z. Rows are padded to whole blocks by rows of
+/// zeros, which change no solution. Storage is kept from one system to the next.
+template <class FT>
+class Linear_system
+{
+  static constexpr std::size_t block = Row_block<FT>::size;
+  static constexpr std::size_t inline_bytes = 128 * 16 * sizeof(double);
+
+public:
+  void resize(std::size_t rows, std::size_t columns)
+  {
+    m_rows = rows;
+    m_columns = columns;
+    m_padded_rows = (rows + block - 1) / block * block;
+    m_entries.resize(m_padded_rows * (columns + 1));
+  }
+
+  std::size_t rows() const { return m_rows; }
+  std::size_t padded_rows() const { return m_padded_rows; }
+  std::size_t columns() const { return m_columns; }
+  FT* column(std::size_t j) { return m_entries.data() + j * m_padded_rows; }
+  const FT* column(std::size_t j) const { return m_entries.data() + j * m_padded_rows; }
+  FT* right_side() { return column(m_columns); }
+  const FT* right_side() const { return column(m_columns); }
+
+private:
+  std::size_t m_rows = 0, m_padded_rows = 0, m_columns = 0;
+  Buffer<FT, (inline_bytes > sizeof(FT) ? inline_bytes / sizeof(FT) : 1)> m_entries;
+};
+
+/// An upper triangular matrix, by columns.
+template <class FT>
+class Upper_triangle
+{
+public:
+  void resize(std::size_t size)
+  {
+    m_size = size;
+    m_entries.resize(size * (size + 1) / 2);
+  }
+  std::size_t size() const { return m_size; }
+  FT& operator()(std::size_t i, std::size_t j) { return m_entries[j * (j + 1) / 2 + i]; }
+  const FT& operator()(std::size_t i, std::size_t j) const { return m_entries[j * (j + 1) / 2 + i]; }
+
+private:
+  std::size_t m_size = 0;
+  Buffer<FT, 120> m_entries;
+};
+
+/// The least squares solution of M Y = Z, and what came to light on the way.
+template <class FT>
+struct Least_squares_solution
+{
+  using Mask = decltype(FT(0) < FT(0));
+
+  Buffer<FT, 45> y;
+  FT square_sum;             ///< of the residuals Z - M Y
+  Mask trusted = FT(0) < FT(1); ///< false in lanes where M may be rank deficient: another method has to decide
+  std::size_t rank = 0;      ///< numerical rank of M
+  FT condition_number = FT(0); ///< of M; 0 if it has not been computed: then R has that of M
+  Upper_triangle<FT> r;      ///< of M = QR; of size 0 if the condition number has been computed
+};
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_LINEAR_SYSTEM_H

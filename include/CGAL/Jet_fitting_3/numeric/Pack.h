@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_PACK_H
+#define CGAL_JET_FITTING_3_NUMERIC_PACK_H
+
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+/// Lanes of T that the target's widest register holds; 1 where it has none that we know of.
+template <class T>
+constexpr int native_lanes()
+{
+#if defined(__AVX512F__)
+  constexpr int bytes = 64;
+#elif defined(__AVX__)
+  constexpr int bytes = 32;
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+  constexpr int bytes = 16;
+#else
+  constexpr int bytes = 0;
+#endif
+  const bool is_hardware_type = std::is_same<T, double>::value || std::is_same<T, float>::value;
+  return is_hardware_type && bytes > 0 ? bytes / int(sizeof(T)) : 1;
+}
+
+/// `lanes` values of T as the compiler's vector type, or as an array where it has none.
+template <class T, int lanes>
+struct Register_of
+{
+#if defined(__GNUC__)
+  typedef T type __attribute__((vector_size(lanes * sizeof(T))));
+#else
+  struct type
+  {
+    T lane[lanes];
+    T& operator[](int i) { return lane[i]; }
+    const T& operator[](int i) const { return lane[i]; }
+  };
+#endif
+};
+
+/// The mask of a Pack: all bits of a lane are set where the comparison holds.
+template <class T, int lanes>
+class Pack_mask;
+
+/// `lanes` numbers that take every step together: a number type for the steps, one vertex a lane.
+template <class T, int lanes>
+class Pack
+{
+public:
+  using Register = typename Register_of<T, lanes>::type;
+
+  Pack() = default;
+  explicit Pack(Register r) : m(r) {}
+  Pack(T value) // implicit, as from double to a number type
+  {
+#if defined(__GNUC__)
+    m = value - Register{};
+#else
+    for (int i = 0; i < lanes; ++i) m[i] = value;
+#endif
+  }
+
+  T operator[](int i) const { return m[i]; }
+  void set(int i, T value) { m[i] = value; }
+  Register native() const { return m; }
+
+  static Pack load(const T* p)
+  {
+    Pack result;
+    std::memcpy(&result.m, p, sizeof(Register));
+    return result;
+  }
+  void store(T* p) const { std::memcpy(p, &m, sizeof(Register)); }
+
+#if defined(__GNUC__)
+  friend Pack operator+(Pack a, Pack b) { return Pack(a.m + b.m); }
+  friend Pack operator-(Pack a, Pack b) { return Pack(a.m - b.m); }
+  friend Pack operator*(Pack a, Pack b) { return Pack(a.m * b.m); }
+  friend Pack operator/(Pack a, Pack b) { return Pack(a.m / b.m); }
+  friend Pack operator-(Pack a) { return Pack(-a.m); }
+  friend auto operator<(Pack a, Pack b) { return Pack_mask<T, lanes>(a.m < b.m); }
+  friend auto operator>(Pack a, Pack b) { return Pack_mask<T, lanes>(a.m > b.m); }
+  friend auto operator==(Pack a, Pack b) { return Pack_mask<T, lanes>(a.m == b.m); }
+#else
+  friend Pack operator+(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s + t; }); }
+  friend Pack operator-(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s - t; }); }
+  friend Pack operator*(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s * t; }); }
+  friend Pack operator/(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s / t; }); }
+  friend Pack operator-(Pack a) { return Pack(T(0)).apply(a, [](T s, T t) { return s - t; }); }
+  friend auto operator<(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s < t; }); }
+  friend auto operator>(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s > t; }); }
+  friend auto operator==(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s == t; }); }
+#endif
+
+private:
+#if !defined(__GNUC__)
+  template <class F>
+  Pack& apply(const Pack& b, F f)
+  {
+    for (int i = 0; i < lanes; ++i) m[i] = f(m[i], b[i]);
+    return *this;
+  }
+  template <class F>
+  Pack_mask<T, lanes> compare(const Pack& b, F f) const
+  {
+    typename Pack_mask<T, lanes>::Register r;
+    for (int i = 0; i < lanes; ++i) r[i] = f(m[i], b[i]) ? -1 : 0;
+    return Pack_mask<T, lanes>(r);
+  }
+#endif
+  Register m;
+};
+
+template <class T, int lanes>
+class Pack_mask
+{
+public:
+  using Integer = std::conditional_t<sizeof(T) == 8, long long, int>;
+  using Register = typename Register_of<Integer, lanes>::type;
+
+  template <class Comparison>
+  explicit Pack_mask(const Comparison& r)
+  {
+    static_assert(sizeof(r) == sizeof(Register), "a comparison of packs has one integer a lane");
+    std::memcpy(&m, &r, sizeof(Register));
+  }
+
+  bool operator[](int i) const { return m[i] != 0; }
+  Register native() const { return m; }
+
+  friend Pack_mask operator&(Pack_mask a, const Pack_mask& b)
+  {
+    for (int i = 0; i < lanes; ++i) a.m[i] &= b.m[i];
+    return a;
+  }
+  friend Pack_mask operator|(Pack_mask a, const Pack_mask& b)
+  {
+    for (int i = 0; i < lanes; ++i) a.m[i] |= b.m[i];
+    return a;
+  }
+
+private:
+  Register m;
+};
+
+template <class T, int lanes>
+bool any(const Pack_mask<T, lanes>& mask)
+{
+  bool result = false;
+  for (int i = 0; i < lanes; ++i) result = result || mask[i];
+  return result;
+}
+
+template <class T, int lanes>
+bool all(const Pack_mask<T, lanes>& mask)
+{
+  bool result = true;
+  for (int i = 0; i < lanes; ++i) result = result && mask[i];
+  return result;
+}
+
+template <class T, int lanes>
+Pack<T, lanes> select(const Pack_mask<T, lanes>& mask, const Pack<T, lanes>& if_true,
+                      const Plain<Pack<T, lanes>>& if_false)
+{
+#if defined(__GNUC__)
+  using Bits = typename Pack_mask<T, lanes>::Register;
+  const Bits bits = ((Bits)if_true.native() & mask.native()) | ((Bits)if_false.native() & ~mask.native());
+  return Pack<T, lanes>((typename Pack<T, lanes>::Register)bits);
+#else
+  Pack<T, lanes> result = if_false;
+  for (int i = 0; i < lanes; ++i)
+    if (mask[i]) result.set(i, if_true[i]);
+  return result;
+#endif
+}
+
+template <class T, int lanes>
+Pack<T, lanes> abs(const Pack<T, lanes>& x)
+{
+  return select(x < Pack<T, lanes>(T(0)), -x, x);
+}
+
+template <class T, int lanes>
+Pack<T, lanes> sqrt(const Pack<T, lanes>& x)
+{
+  Pack<T, lanes> result = x;
+  for (int i = 0; i < lanes; ++i) result.set(i, std::sqrt(x[i]));
+  return result;
+}
+
+// compilers do not make one instruction of the loop above, since std::sqrt may set errno
+#if defined(__GNUC__) && defined(__SSE2__)
+inline Pack<double, 2> sqrt(const Pack<double, 2>& x) { return Pack<double, 2>(_mm_sqrt_pd(x.native())); }
+inline Pack<float, 4> sqrt(const Pack<float, 4>& x) { return Pack<float, 4>(_mm_sqrt_ps(x.native())); }
+#endif
+#if defined(__GNUC__) && defined(__AVX__)
+inline Pack<double, 4> sqrt(const Pack<double, 4>& x) { return Pack<double, 4>(_mm256_sqrt_pd(x.native())); }
+inline Pack<float, 8> sqrt(const Pack<float, 8>& x) { return Pack<float, 8>(_mm256_sqrt_ps(x.native())); }
+#endif
+#if defined(__GNUC__) && defined(__AVX512F__)
+inline Pack<double, 8> sqrt(const Pack<double, 8>& x) { return Pack<double, 8>(_mm512_sqrt_pd(x.native())); }
+inline Pack<float, 16> sqrt(const Pack<float, 16>& x) { return Pack<float, 16>(_mm512_sqrt_ps(x.native())); }
+#endif
+
+template <class T, int lanes>
+T sum_of_lanes(const Pack<T, lanes>& x)
+{
+  T sum = x[0];
+  for (int i = 1; i < lanes; ++i) sum += x[i];
+  return sum;
+}
+
+template <class T, int lanes>
+struct Scalar<Pack<T, lanes>>
+{
+  using type = T;
+};
+
+template <class T, int lanes>
+Pack<T, lanes> power_of_two_above(const Pack<T, lanes>& x)
+{
+  Pack<T, lanes> result = x;
+  for (int i = 0; i < lanes; ++i) result.set(i, power_of_two_above(x[i]));
+  return result;
+}
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_PACK_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H
+#define CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H
+
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+
+#include <cstddef>
+
+/// \file
+/// Homogeneous polynomials in x and y of order k, in two dresses, both as arrays of k + 1 entries:
+/// as a symmetric k-linear form by its derivatives f_k0, f_k-1,1, ..., f_0k, and
+/// as a polynomial by its Taylor coefficients f_ij / (i! j!).
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+/// The symmetric form of order k with one argument fixed to (x, y): a form of order k - 1. `lower` may be `form`.
+template <class FT>
+void along(const FT& x, const FT& y, std::size_t k, const FT* form, FT* lower)
+{
+  for (std::size_t i = 0; i < k; ++i) lower[i] = x * form[i] + y * form[i + 1];
+}
+
+/// Derivatives -> Taylor coefficients.
+template <class FT>
+void divide_by_factorials(std::size_t k, FT* form)
+{
+  FT inverse_factorial(1);
+  for (std::size_t i = 2; i <= k; ++i) inverse_factorial = inverse_factorial / FT(double(i));
+  for (std::size_t i = 0; i <= k; ++i) { // 1 / ((k-i)! i!)
+    form[i] = form[i] * inverse_factorial;
+    inverse_factorial = inverse_factorial * FT(double(k - i)) / FT(double(i + 1));
+  }
+}
+
+/// Taylor coefficients -> derivatives.
+template <class FT>
+void multiply_by_factorials(std::size_t k, FT* polynomial)
+{
+  FT factorial(1);
+  for (std::size_t i = 2; i <= k; ++i) factorial = factorial * FT(double(i));
+  for (std::size_t i = 0; i <= k; ++i) { // (k-i)! i!
+    polynomial[i] = polynomial[i] * factorial;
+    if (i < k) factorial = factorial * FT(double(i + 1)) / FT(double(k - i));
+  }
+}
+
+/// sum += a b, for polynomials a of order k and b of order m.
+template <class FT>
+void add_product(std::size_t k, const FT* a, std::size_t m, const FT* b, FT* sum)
+{
+  for (std::size_t i = 0; i <= k; ++i)
+    for (std::size_t j = 0; j <= m; ++j) sum[i + j] = sum[i + j] + a[i] * b[j];
+}
+
+/// The derivative of a polynomial of order k in direction (x, y), in place: a polynomial of order k - 1.
+template <class FT>
+void differentiate(const FT& x, const FT& y, std::size_t k, FT* polynomial)
+{
+  for (std::size_t i = 0; i < k; ++i)
+    polynomial[i] = FT(double(k - i)) * x * polynomial[i] + FT(double(i + 1)) * y * polynomial[i + 1];
+}
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H

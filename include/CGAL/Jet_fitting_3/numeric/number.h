@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
+#define CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
+
+#include <cmath>
+#include <limits>
+
+/// \file
+/// What a number type FT must offer to the steps: + - * / and unary -, construction from int and double,
+/// comparisons, `sqrt` and `abs` found by argument-dependent look-up, and `std::numeric_limits`.
+/// A comparison gives a mask: bool for one number, a lane-wise mask for a Pack. The steps branch on masks only through
+/// `select`, `any` and `all`, hence the same code runs on both.
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+template <class T>
+struct Non_deduced
+{
+  using type = T;
+};
+
+/// `FT` by its own name; lets expression templates convert on the way in.
+template <class T>
+using Plain = typename Non_deduced<T>::type;
+
+inline bool any(bool mask) { return mask; }
+inline bool all(bool mask) { return mask; }
+
+template <class FT>
+FT select(bool mask, const FT& if_true, const Plain<FT>& if_false)
+{
+  return mask ? if_true : if_false;
+}
+
+template <class FT>
+FT square_root(const FT& x)
+{
+  using std::sqrt;
+  return FT(sqrt(x));
+}
+
+template <class FT>
+FT absolute(const FT& x)
+{
+  using std::abs;
+  return FT(abs(x));
+}
+
+template <class FT>
+FT larger(const FT& a, const Plain<FT>& b)
+{
+  return select(a < b, FT(b), a);
+}
+
+/// True for finite numbers, false for infinities and NaN.
+template <class FT>
+auto is_finite(const FT& x)
+{
+  return FT(x - x) == FT(0);
+}
+
+/// The type of one coordinate: FT itself, or the lane type of a Pack.
+template <class FT>
+struct Scalar
+{
+  using type = FT;
+};
+
+/// Unit round-off, as a plain number.
+template <class FT>
+typename Scalar<FT>::type epsilon()
+{
+  return std::numeric_limits<typename Scalar<FT>::type>::epsilon();
+}
+
+/// A power of two p with p/2 <= x < p, or 1 where x is zero or not finite: scaling by it is exact.
+/// It is held away from both ends of the exponent range, so that 1/p is a normal number too.
+template <class FT>
+FT power_of_two_above(const FT& x)
+{
+  FT p(1);
+  if (!(x > FT(0)) || !is_finite(x)) return p;
+  while (!(x < p)) p *= FT(2);
+  while (x < FT(p / FT(2))) p /= FT(2);
+  return p;
+}
+
+template <class Float>
+Float power_of_two_above_by_exponent(Float x)
+{
+  using Limits = std::numeric_limits<Float>;
+  if (!(x > Float(0)) || !is_finite(x)) return Float(1);
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const int least = Limits::min_exponent + 1, most = Limits::max_exponent - 2;
+  return std::ldexp(Float(1), exponent < least ? least : exponent > most ? most : exponent);
+}
+
+inline float power_of_two_above(float x) { return power_of_two_above_by_exponent(x); }
+inline double power_of_two_above(double x) { return power_of_two_above_by_exponent(x); }
+inline long double power_of_two_above(long double x) { return power_of_two_above_by_exponent(x); }
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_NUMBER_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_ORTHOGONALIZATION_H
+#define CGAL_JET_FITTING_3_NUMERIC_ORTHOGONALIZATION_H
+
+#include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+/// Makes `count` columns orthogonal to q, given 1 / (q . q); writes their components along q.
+/// Several columns at a time: q is read once for all, and their sums do not wait for each other.
+template <std::size_t count, class FT>
+void orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, FT* columns, FT* components)
+{
+  using Rows = Row_block<FT>;
+  typename Rows::type sum[count];
+  for (std::size_t c = 0; c < count; ++c) sum[c] = typename Rows::type(FT(0));
+  for (std::size_t i = 0; i < rows; i += Rows::size) {
+    const auto qi = Rows::load(q + i);
+    for (std::size_t c = 0; c < count; ++c) sum[c] = sum[c] + qi * Rows::load(columns + c * rows + i);
+  }
+  typename Rows::type component[count];
+  for (std::size_t c = 0; c < count; ++c) {
+    components[c] = Rows::sum(sum[c]) * inverse_square;
+    component[c] = typename Rows::type(components[c]);
+  }
+  for (std::size_t i = 0; i < rows; i += Rows::size) {
+    const auto qi = Rows::load(q + i);
+    for (std::size_t c = 0; c < count; ++c) {
+      FT* a = columns + c * rows + i;
+      Rows::store(Rows::load(a) - component[c] * qi, a);
+    }
+  }
+}
+
+template <class FT>
+FT square_norm(const FT* q, std::size_t rows)
+{
+  using Rows = Row_block<FT>;
+  typename Rows::type sum(FT(0));
+  for (std::size_t i = 0; i < rows; i += Rows::size) {
+    const auto qi = Rows::load(q + i);
+    sum = sum + qi * qi;
+  }
+  return Rows::sum(sum);
+}
+
+/// Least squares by modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the
+/// process (Bjorck 1967), has equally long loops, and needs no square root.
+///
+/// On the way out `trusted` is false where a column has almost vanished: then the rank is in doubt, and there is no
+/// solution from here. Rounding errors of earlier columns reach later ones amplified by the condition number of the
+/// monomials, about 4^degree; `doubt` takes that into account.
+/// The columns of the system are overwritten, its right side becomes the residual.
+template <class FT>
+Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system, const Plain<FT>& doubt)
+{
+  const std::size_t rows = system.padded_rows(), columns = system.columns();
+  Least_squares_solution<FT> solution;
+  solution.r.resize(columns);
+  solution.y.resize(columns);
+  solution.rank = columns;
+
+  Buffer<FT, 48> square, component;
+  square.resize(columns);
+  component.resize(columns + 1);
+  FT largest(0), smallest(0);
+  for (std::size_t k = 0; k < columns; ++k) {
+    const FT* q = system.column(k);
+    square[k] = square_norm(q, rows);
+    const FT inverse_square = FT(1) / square[k];
+    std::size_t j = k + 1;
+    for (; j + 3 <= columns; j += 4) // the last column is Z
+      orthogonalize_to<4>(q, inverse_square, rows, system.column(j), &component[j]);
+    for (; j <= columns; ++j) orthogonalize_to<1>(q, inverse_square, rows, system.column(j), &component[j]);
+
+    largest = k == 0 ? square[0] : larger(largest, square[k]);
+    smallest = k == 0 ? square[0] : select(square[k] < smallest, square[k], smallest);
+    const FT norm = square_root(square[k]);
+    solution.r(k, k) = norm;
+    for (j = k + 1; j < columns; ++j) solution.r(k, j) = norm * component[j];
+    solution.y[k] = norm * component[columns];
+  }
+  for (std::size_t k = columns; k-- > 0;) {
+    solution.y[k] = solution.y[k] / solution.r(k, k);
+    for (std::size_t i = 0; i < k; ++i) solution.y[i] = solution.y[i] - solution.r(i, k) * solution.y[k];
+  }
+  solution.square_sum = square_norm(system.right_side(), rows);
+  solution.trusted = smallest > FT(doubt * doubt) * largest; // false for NaN
+  return solution;
+}
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_ORTHOGONALIZATION_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_SINGULAR_VALUES_H
+#define CGAL_JET_FITTING_3_NUMERIC_SINGULAR_VALUES_H
+
+#include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/orthogonalization.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+
+/// Rotates the columns a and b of one or two matrices: (a, b) -> (c a + s b, c b - s a), t = s / c.
+template <class FT>
+void rotate_columns(std::size_t rows, const FT& t, FT* a, FT* b)
+{
+  const FT c = FT(1) / square_root(FT(FT(1) + t * t)), s = t * c;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const FT ai = a[i];
+    a[i] = c * ai + s * b[i];
+    b[i] = c * b[i] - s * ai;
+  }
+}
+
+/// One-sided Jacobi method: rotates the columns of `a` until they are orthogonal; their norms are then the singular
+/// values. The rotations are applied to the columns of `v` too, unless it has none. It works in every number type and
+/// finds small singular values to high relative accuracy.
+template <class FT>
+void orthogonalize_by_rotations(std::size_t rows, std::size_t columns, FT* a, std::size_t v_rows, FT* v)
+{
+  const auto inner_product = [rows](const FT* p, const FT* q) {
+    FT sum(0);
+    for (std::size_t i = 0; i < rows; ++i) sum = sum + p[i] * q[i];
+    return sum;
+  };
+  const FT negligible = FT(epsilon<FT>()) * FT(epsilon<FT>());
+  const int most_sweeps = 40;
+  for (int sweep = 0, rotations = 1; sweep < most_sweeps && rotations > 0; ++sweep) {
+    rotations = 0;
+    FT largest(0);
+    for (std::size_t j = 0; j < columns; ++j) largest = larger(largest, inner_product(a + j * rows, a + j * rows));
+    for (std::size_t p = 0; p + 1 < columns; ++p)
+      for (std::size_t q = p + 1; q < columns; ++q) {
+        FT *ap = a + p * rows, *aq = a + q * rows;
+        const FT pp = inner_product(ap, ap), qq = inner_product(aq, aq), pq = inner_product(ap, aq);
+        const bool is_orthogonal = !(pq * pq > negligible * pp * qq);
+        const bool is_noise = !(pp > negligible * largest) || !(qq > negligible * largest);
+        if (is_orthogonal || (is_noise && !(pq * pq > negligible * negligible * largest * largest))) continue;
+        const FT t = jacobi_tangent(pp, pq, qq);
+        rotate_columns(rows, t, ap, aq);
+        rotate_columns(v_rows, t, v + p * v_rows, v + q * v_rows);
+        ++rotations;
+      }
+  }
+}
+
+/// Largest / smallest; infinite where the smallest is 0.
+template <class FT>
+FT ratio_of_norms(std::size_t rows, std::size_t columns, const FT* a)
+{
+  FT largest(0), smallest(0);
+  for (std::size_t j = 0; j < columns; ++j) {
+    FT square(0);
+    for (std::size_t i = 0; i < rows; ++i) square = square + a[j * rows + i] * a[j * rows + i];
+    largest = larger(largest, square);
+    smallest = j == 0 || square < smallest ? square : smallest;
+  }
+  if (!(smallest > FT(0))) return std::numeric_limits<FT>::infinity();
+  return square_root(FT(largest / smallest));
+}
+
+/// Ratio of the largest and the smallest singular value. The method runs on the transpose, for which it converges
+/// faster when the matrix comes from an orthogonalization (Drmac and Veselic 2008).
+template <class FT>
+FT condition_number(const Upper_triangle<FT>& r)
+{
+  const std::size_t n = r.size();
+  Buffer<FT, 225> transposed;
+  transposed.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) transposed[i * n + j] = j < i ? FT(0) : r(i, j);
+  orthogonalize_by_rotations(n, n, transposed.data(), 0, transposed.data());
+  return ratio_of_norms(n, n, transposed.data());
+}
+
+/// Least squares with the minimum norm among the solutions (equation 5, whose two blocks of zeros are printed
+/// transposed). Singular values below epsilon * rows * the largest count as zero. The columns are overwritten.
+template <class FT>
+Least_squares_solution<FT> solve_by_singular_values(Linear_system<FT>& system)
+{
+  const std::size_t rows = system.padded_rows(), columns = system.columns();
+  Buffer<FT, 225> v;
+  v.resize(columns * columns);
+  for (std::size_t i = 0; i < columns * columns; ++i) v[i] = i % (columns + 1) == 0 ? FT(1) : FT(0);
+  orthogonalize_by_rotations(rows, columns, system.column(0), columns, v.data());
+
+  Least_squares_solution<FT> solution;
+  solution.condition_number = ratio_of_norms(rows, columns, system.column(0));
+  solution.y.resize(columns);
+  for (FT& y : solution.y) y = FT(0);
+  FT largest(0);
+  for (std::size_t j = 0; j < columns; ++j) largest = larger(largest, square_norm(system.column(j), rows));
+  const FT relative = FT(epsilon<FT>()) * FT(double(rows > columns ? rows : columns));
+  for (std::size_t j = 0; j < columns; ++j) {
+    const FT square = square_norm(system.column(j), rows);
+    if (!(square > relative * relative * largest)) continue;
+    ++solution.rank;
+    FT component;
+    orthogonalize_to<1>(system.column(j), FT(FT(1) / square), rows, system.right_side(), &component);
+    for (std::size_t i = 0; i < columns; ++i) solution.y[i] = solution.y[i] + component * v[j * columns + i];
+  }
+  solution.square_sum = square_norm(system.right_side(), rows);
+  return solution;
+}
+
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_SINGULAR_VALUES_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H
+#define CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H
+
+#include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
+#include <CGAL/Jet_fitting_3/solvers/Svd_traits_solver.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// A model of SvdTraits for every number type that the steps work in: float, double, long double, multiprecision.
+/// It needs no other library.
+template <class NumberType>
+class Jacobi_svd
+{
+public:
+  using FT = NumberType;
+
+  class Vector
+  {
+  public:
+    explicit Vector(std::size_t size) : m_entries(size) {}
+    std::size_t size() const { return m_entries.size(); }
+    const FT& operator()(std::size_t i) const { return m_entries[i]; }
+    void set(std::size_t i, const FT& value) { m_entries[i] = value; }
+    FT* vector() { return m_entries.data(); }
+
+  private:
+    std::vector<FT> m_entries;
+  };
+
+  class Matrix
+  {
+  public:
+    Matrix(std::size_t rows, std::size_t columns) : m_rows(rows), m_columns(columns), m_entries(rows * columns) {}
+    std::size_t number_of_rows() const { return m_rows; }
+    std::size_t number_of_columns() const { return m_columns; }
+    const FT& operator()(std::size_t i, std::size_t j) const { return m_entries[j * m_rows + i]; }
+    void set(std::size_t i, std::size_t j, const FT& value) { m_entries[j * m_rows + i] = value; }
+
+  private:
+    std::size_t m_rows, m_columns;
+    std::vector<FT> m_entries;
+  };
+
+  /// Writes the least squares solution of M X = B with the smallest norm into the first entries of B, for at least as
+  /// many rows as columns. \return the condition number of M, infinite if a singular value is zero.
+  static FT solve(const Matrix& m, Vector& b)
+  {
+    const std::size_t rows = m.number_of_rows(), columns = m.number_of_columns();
+    numeric::Linear_system<FT> system;
+    system.resize(rows, columns);
+    for (std::size_t j = 0; j <= columns; ++j)
+      for (std::size_t i = 0; i < system.padded_rows(); ++i)
+        system.column(j)[i] = i >= rows ? FT(0) : j < columns ? m(i, j) : b(i);
+    const auto solution = numeric::solve_by_singular_values(system);
+    for (std::size_t j = 0; j < columns; ++j) b.set(j, solution.y[j]);
+    return solution.condition_number;
+  }
+};
+
+template <class FT>
+struct Solver_of<Jacobi_svd<FT>>
+{
+  using type = Orthogonal_solver<FT>;
+};
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H

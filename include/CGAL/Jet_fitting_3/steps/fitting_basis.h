@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_STEPS_FITTING_BASIS_H
+#define CGAL_JET_FITTING_3_STEPS_FITTING_BASIS_H
+
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
+#include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Samples.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// The basis F in which the height function is fitted, and the variance of the samples along each of its axes.
+template <class FT>
+struct Fitting_basis
+{
+  Basis_3<FT> axes;            ///< in world coordinates
+  std::array<FT, 3> variances; ///< length^2; in descending order when the basis comes from the PCA
+
+  /// The variance along axis i (x, y, z for 0, 1, 2) and the axis, as a vector type with a constructor from coordinates.
+  template <class Kernel_vector_3>
+  std::pair<FT, Kernel_vector_3> axis(std::size_t i) const
+  {
+    const Vector_3<FT>& a = i == 0 ? axes.x : i == 1 ? axes.y : axes.z;
+    return {variances[i], Kernel_vector_3(a.x, a.y, a.z)};
+  }
+};
+
+template <class FT>
+struct Symmetric_3
+{
+  FT xx, xy, xz, yy, yz, zz;
+};
+
+/// Weighted covariance of the samples about their centroid, divided by the sum of the weights.
+template <class FT>
+Symmetric_3<FT> covariance(const Samples<FT>& samples)
+{
+  Vector_3<FT> sum{FT(0), FT(0), FT(0)};
+  for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * samples[i];
+  const FT inverse_total = FT(1) / samples.total_weight();
+  const Vector_3<FT> centroid = inverse_total * sum;
+
+  Symmetric_3<FT> s{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Vector_3<FT> r = samples[i] - centroid, wr = samples.weight(i) * r;
+    s = {s.xx + wr.x * r.x, s.xy + wr.x * r.y, s.xz + wr.x * r.z,
+         s.yy + wr.y * r.y, s.yz + wr.y * r.z, s.zz + wr.z * r.z};
+  }
+  return {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total,
+          s.yy * inverse_total, s.yz * inverse_total, s.zz * inverse_total};
+}
+
+/// Step 1 (section 3.1): principal component analysis. The z axis, along which heights are measured, is the direction
+/// of least variance; x is that of the largest. z and x point as direction_sign() says, y = z ^ x.
+/// The basis is orthonormal and direct whatever the samples are.
+template <class FT>
+Fitting_basis<FT> fitting_basis(const Samples<FT>& samples)
+{
+  const Symmetric_3<FT> s = covariance(samples);
+  const numeric::Eigen_3<FT> eigen = numeric::symmetric_eigen_3(s.xx, s.xy, s.xz, s.yy, s.yz, s.zz);
+  const Vector_3<FT> x = direction_sign(eigen.vectors[0]) * eigen.vectors[0];
+  const Vector_3<FT> z = direction_sign(eigen.vectors[2]) * eigen.vectors[2];
+  return {{x, cross(z, x), z}, eigen.values};
+}
+
+/// Step 1 with a coordinate system given by the user (section 5.1.1): no PCA.
+template <class FT>
+Fitting_basis<FT> fitting_basis(const Samples<FT>& samples, const Basis_3<FT>& given)
+{
+  const Symmetric_3<FT> s = covariance(samples);
+  const auto variance = [&s](const Vector_3<FT>& a) {
+    return FT(s.xx * a.x * a.x + s.yy * a.y * a.y + s.zz * a.z * a.z +
+              FT(2) * (s.xy * a.x * a.y + s.xz * a.x * a.z + s.yz * a.y * a.z));
+  };
+  return {given, {{variance(given.x), variance(given.y), variance(given.z)}}};
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_STEPS_FITTING_BASIS_H

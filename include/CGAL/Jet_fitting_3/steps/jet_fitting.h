@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_STEPS_JET_FITTING_H
+#define CGAL_JET_FITTING_3_STEPS_JET_FITTING_H
+
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Jet.h>
+#include <CGAL/Jet_fitting_3/values/Samples.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// The samples in the fitting basis: (u, v) in units of their extents hu, hv along the two axes, heights as they are.
+template <class FT>
+struct Heights
+{
+  using Coordinates = numeric::Buffer<FT, 128>;
+  Coordinates u, v, height, root_weight; ///< no root_weight: weights one
+  FT hu, hv;                             ///< powers of two
+};
+
+/// Weighted mean of the absolute values.
+template <class FT>
+FT extent(const numeric::Buffer<FT, 128>& coordinates, const Samples<FT>& samples)
+{
+  FT sum(0);
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    sum = sum + samples.weight(i) * numeric::absolute(coordinates[i]);
+  return sum / samples.total_weight();
+}
+
+/// Change of coordinates P_{W -> F}, and the extents for the preconditioning. The paper takes one h for both axes, the
+/// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). One extent for each axis keeps
+/// the condition number small on narrow strips. An axis 2^-40 times narrower than the other shares the other's extent:
+/// its coordinates are rounding errors of collinear samples, and must not be blown up into seeming information.
+template <class FT>
+Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
+{
+  const std::size_t n = samples.size();
+  Heights<FT> h;
+  h.u.resize(n);
+  h.v.resize(n);
+  h.height.resize(n);
+  const FT *x = samples.x(), *y = samples.y(), *z = samples.z();
+  FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
+  for (std::size_t i = 0; i < n; ++i) {
+    u[i] = x[i] * basis.x.x + y[i] * basis.x.y + z[i] * basis.x.z;
+    v[i] = x[i] * basis.y.x + y[i] * basis.y.y + z[i] * basis.y.z;
+    height[i] = x[i] * basis.z.x + y[i] * basis.z.y + z[i] * basis.z.z;
+  }
+  if (samples.is_weighted()) {
+    h.root_weight.resize(n);
+    for (std::size_t i = 0; i < n; ++i) h.root_weight[i] = numeric::square_root(samples.weight(i));
+  }
+
+  const FT extent_u = extent(h.u, samples), extent_v = extent(h.v, samples);
+  const FT least = FT(1.0 / (1ll << 40)) * numeric::larger(extent_u, extent_v);
+  h.hu = numeric::power_of_two_above(numeric::select(extent_u < least, extent_v, extent_u));
+  h.hv = numeric::power_of_two_above(numeric::select(extent_v < least, extent_u, extent_v));
+  const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
+  for (std::size_t i = 0; i < n; ++i) {
+    u[i] = u[i] * inverse_hu;
+    v[i] = v[i] * inverse_hv;
+  }
+  return h;
+}
+
+/// The preconditioned system M' Y = Z of section 3.2: the column of A_ij holds u^i v^j, each order computed from the
+/// one before. Factorials stay outside, where they cannot overflow or spoil the condition number.
+template <class FT>
+void assemble(const Heights<FT>& h, std::size_t degree, numeric::Linear_system<FT>& system)
+{
+  const std::size_t n = h.height.size(), padded = system.padded_rows();
+  const bool weighted = !h.root_weight.empty();
+  const auto fill = [n, padded](FT* column, auto entry) {
+    for (std::size_t i = 0; i < n; ++i) column[i] = entry(i);
+    for (std::size_t i = n; i < padded; ++i) column[i] = FT(0);
+  };
+  const FT *u = h.u.data(), *v = h.v.data(), *z = h.height.data(), *w = h.root_weight.data();
+
+  if (weighted) fill(system.column(0), [w](std::size_t i) { return w[i]; });
+  else fill(system.column(0), [](std::size_t) { return FT(1); });
+  for (std::size_t k = 1, j = 1; k <= degree; ++k) {
+    for (std::size_t c = 0; c < k; ++c, ++j) { // u^(k-c) v^c, from the order before
+      const FT* lower = system.column(j - k);
+      fill(system.column(j), [u, lower](std::size_t i) { return FT(u[i] * lower[i]); });
+    }
+    const FT* lower = system.column(j - k - 1);
+    fill(system.column(j++), [v, lower](std::size_t i) { return FT(v[i] * lower[i]); });
+  }
+  if (weighted) fill(system.right_side(), [z, w](std::size_t i) { return FT(w[i] * z[i]); });
+  else fill(system.right_side(), [z](std::size_t i) { return z[i]; });
+}
+
+/// The solution A = D^-1 Y as derivatives: A_ij = y_ij i! j! / (hu^i hv^j).
+template <class FT>
+Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, const FT& hu, const FT& hv)
+{
+  Jet<FT> jet(degree);
+  const FT inverse_hu = FT(1) / hu, inverse_hv = FT(1) / hv;
+  const FT v_over_u = hu * inverse_hv;
+  FT pure_u(1); // k! / hu^k
+  std::size_t j = 0;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    if (k > 0) pure_u = pure_u * FT(double(k)) * inverse_hu;
+    FT factor = pure_u; // (k-i)! i! / (hu^(k-i) hv^i)
+    for (std::size_t i = 0; i <= k; ++i, ++j) {
+      jet.part(k)[i] = y[j] * factor;
+      if (i < k) factor = factor * FT(double(i + 1)) / FT(double(k - i)) * v_over_u;
+    }
+  }
+  return jet;
+}
+
+template <class FT>
+struct Jet_fit
+{
+  Jet<FT> jet;                                   ///< in the fitting basis
+  numeric::Least_squares_solution<FT> solution;  ///< of the preconditioned system: rank, condition number
+};
+
+/// Step 2 (section 3.2): the d-jet whose graph over the (x, y) plane of the basis fits the samples in the least squares
+/// sense; it passes through them if they are N_d, the rank being full. In a rank deficient case it is the jet with the
+/// smallest |Y|.
+///
+/// \param samples at least N_d = (d+1)(d+2)/2, lengths near 1 (see unit_of_length())
+/// \param basis orthonormal and direct; its z axis must not be tangent to the surface
+/// \param solve maps (rows, columns, assemble) to a Least_squares_solution; it lends the storage for the system and may
+///        have it assembled again
+template <class FT, class Solver>
+Jet_fit<FT> fit_jet(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Solver& solve)
+{
+  const Heights<FT> h = heights(samples, basis);
+  Jet_fit<FT> fit{Jet<FT>(), solve(samples.size(), number_of_jet_coefficients(degree),
+                                   [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); })};
+  fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
+  return fit;
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_STEPS_JET_FITTING_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_VALUES_JET_H
+#define CGAL_JET_FITTING_3_VALUES_JET_H
+
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// N_d = (d+1)(d+2)/2, the number of coefficients of a d-jet (section 2.1.1).
+constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
+
+/// The d-jet J(u, v) = sum A_ij u^i v^j / (i! j!) of a height function, by its derivatives A_ij at the origin
+/// (equation 1), in the order A_00, A_10, A_01, A_20, A_11, A_02, ...
+/// A_ij has the unit length^(1-i-j).
+template <class FT>
+class Jet
+{
+public:
+  Jet() : Jet(0) {}
+  explicit Jet(std::size_t degree) : m_degree(degree)
+  {
+    m_derivatives.resize(number_of_jet_coefficients(degree));
+    for (FT& derivative : m_derivatives) derivative = FT(0);
+  }
+
+  std::size_t degree() const { return m_degree; }
+
+  const FT& operator()(std::size_t i, std::size_t j) const { return part(i + j)[j]; }
+  FT& operator()(std::size_t i, std::size_t j) { return part(i + j)[j]; }
+
+  /// The order-k part A_k0, A_k-1,1, ..., A_0k: a symmetric k-linear form.
+  const FT* part(std::size_t k) const { return m_derivatives.data() + k * (k + 1) / 2; }
+  FT* part(std::size_t k) { return m_derivatives.data() + k * (k + 1) / 2; }
+
+private:
+  std::size_t m_degree;
+  numeric::Buffer<FT, 45> m_derivatives;
+};
+
+/// The same jet where lengths are measured in a unit `factor` times smaller: A_ij becomes A_ij * factor^(1-i-j).
+template <class FT>
+Jet<FT> in_smaller_unit(Jet<FT> jet, const FT& factor)
+{
+  const FT inverse = FT(1) / factor;
+  FT power = factor;
+  for (std::size_t k = 0; k <= jet.degree(); ++k, power = power * inverse)
+    for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] = jet.part(k)[i] * power;
+  return jet;
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_VALUES_JET_H

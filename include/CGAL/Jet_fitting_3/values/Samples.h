@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_VALUES_SAMPLES_H
+#define CGAL_JET_FITTING_3_VALUES_SAMPLES_H
+
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// The sample points P+ of section 2.1.2, relative to p = samples[0], in world axes: p itself is (0, 0, 0).
+/// A weight multiplies the square of its sample's residual; no weights means weights one.
+template <class FT>
+class Samples
+{
+  using Coordinates = numeric::Buffer<FT, 128>;
+
+public:
+  std::size_t size() const { return m_x.size(); }
+  Vector_3<FT> operator[](std::size_t i) const { return {m_x[i], m_y[i], m_z[i]}; }
+
+  bool is_weighted() const { return !m_weights.empty(); }
+  FT weight(std::size_t i) const { return is_weighted() ? m_weights[i] : FT(1); }
+
+  FT total_weight() const
+  {
+    if (!is_weighted()) return FT(double(size()));
+    FT total(0);
+    for (const FT& weight : m_weights) total = total + weight;
+    return total;
+  }
+
+  /// Coordinates and weights are indeterminate until set.
+  void resize(std::size_t size, bool weighted = false)
+  {
+    for (Coordinates* c : {&m_x, &m_y, &m_z}) c->resize(size);
+    m_weights.resize(weighted ? size : 0);
+  }
+
+  void set(std::size_t i, const Vector_3<FT>& r)
+  {
+    m_x[i] = r.x;
+    m_y[i] = r.y;
+    m_z[i] = r.z;
+  }
+
+  void set_weight(std::size_t i, const FT& weight) { m_weights[i] = weight; }
+
+  const FT* x() const { return m_x.data(); }
+  const FT* y() const { return m_y.data(); }
+  const FT* z() const { return m_z.data(); }
+
+  void scale(const FT& factor)
+  {
+    for (Coordinates* c : {&m_x, &m_y, &m_z})
+      for (FT& coordinate : *c) coordinate = coordinate * factor;
+  }
+
+private:
+  Coordinates m_x, m_y, m_z, m_weights;
+};
+
+/// A power of two above the largest coordinate: the unit of length in which the steps compute, so that no square, no
+/// power and no product of theirs can overflow or underflow, and a change of unit by 2^e changes no digit.
+template <class FT>
+FT unit_of_length(const Samples<FT>& samples)
+{
+  FT size(0);
+  for (const FT* c : {samples.x(), samples.y(), samples.z()})
+    for (std::size_t i = 0; i < samples.size(); ++i) size = numeric::larger(size, numeric::absolute(c[i]));
+  return numeric::power_of_two_above(size);
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_VALUES_SAMPLES_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
+#define CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// Three coordinates in whichever orthonormal basis the context names.
+template <class FT>
+struct Vector_3
+{
+  FT x, y, z;
+
+  friend Vector_3 operator+(const Vector_3& a, const Vector_3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vector_3 operator-(const Vector_3& a, const Vector_3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vector_3 operator-(const Vector_3& a) { return {-a.x, -a.y, -a.z}; }
+  friend Vector_3 operator*(const FT& s, const Vector_3& a) { return {s * a.x, s * a.y, s * a.z}; }
+
+  friend FT dot(const Vector_3& a, const Vector_3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+  friend Vector_3 cross(const Vector_3& a, const Vector_3& b)
+  {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
