@@ -99,17 +99,22 @@ Principal_axes<Real> principal_axes(std::array<std::array<Real, 3>, 3> a)
 }
 
 template <class Real>
-Principal_axes<Real> principal_axes(const std::vector<Vec3<Real>>& points)
+Principal_axes<Real> principal_axes(const std::vector<Vec3<Real>>& points, const std::vector<double>& weights = {})
 {
-  Vec3<Real> mean;
-  for (const auto& p : points) mean = mean + p;
-  mean = Real(Real(1) / Real(points.size())) * mean;
+  const auto weight = [&weights](std::size_t n) { return Real(weights.empty() ? 1. : weights[n]); };
+  Vec3<Real> sum;
+  Real total(0);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    sum = sum + weight(n) * points[n];
+    total += weight(n);
+  }
+  const Vec3<Real> mean = Real(1 / total) * sum;
   std::array<std::array<Real, 3>, 3> covariance{};
-  for (const auto& p : points) {
-    const Vec3<Real> q = p - mean;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const Vec3<Real> q = points[n] - mean;
     const std::array<Real, 3> c{q.x, q.y, q.z};
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) covariance[i][j] += c[i] * c[j] / Real(points.size());
+      for (int j = 0; j < 3; ++j) covariance[i][j] += weight(n) * c[i] * c[j] / total;
   }
   return principal_axes(covariance);
 }
@@ -156,7 +161,7 @@ struct Reference_fit {
   Axes<Real> basis;                  // the fitting basis
   std::array<Real, 3> variances{};
   std::vector<Real> A;               // the jet's derivatives in the fitting basis
-  Real residual_rms;                 // over the N samples, unweighted count
+  Real residual_rms;                 // root of the weighted mean of the squared residuals
 };
 
 // The Monge axes of a jet, in the fitting basis, and its curvatures; n is on the side of +z.
@@ -263,16 +268,17 @@ Reference_fit<Real> reference_fit(const std::vector<Vec3<Number>>& points, int d
   Reference_fit<Real> fit;
   fit.basis = basis;
   fit.A = least_squares(columns, z);
-  Real scale(1), squares(0);
+  Real scale(1), squares(0), total(0);
+  for (std::size_t n = 0; n < z.size(); ++n) total += Real(weights.empty() ? 1. : weights[n]);
   for (int k = 0; k <= d; ++k, scale *= h)
     for (int j = 0; j <= k; ++j) fit.A[index_of(k - j, j)] /= scale;
   for (std::size_t n = columns.size(); n < z.size(); ++n) squares += z[n] * z[n];
-  fit.residual_rms = sqrt(squares / Real(z.size()));
+  fit.residual_rms = sqrt(squares / total);
   fit.form = monge_form(fit.A, p, basis, dprime);
   return fit;
 }
 
-// Fits the points in the basis of their principal axes.
+// Fits the points in the basis of their principal axes; weights count there too, as repeated points would.
 template <class Real, class Number>
 Reference_fit<Real> reference_fit(const std::vector<Vec3<Number>>& points, int d, int dprime,
                                   const std::vector<double>& weights = {})
@@ -280,7 +286,7 @@ Reference_fit<Real> reference_fit(const std::vector<Vec3<Number>>& points, int d
   const Vec3<Real> p(points.front());
   std::vector<Vec3<Real>> local;
   for (const auto& q : points) local.push_back(Vec3<Real>(q) - p);
-  const Principal_axes<Real> pca = principal_axes(local);
+  const Principal_axes<Real> pca = principal_axes(local, weights);
   Reference_fit<Real> fit = reference_fit<Real>(points, d, dprime, pca.axes, weights);
   fit.variances = pca.variances;
   return fit;
