@@ -9,12 +9,14 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <cstddef>
 #include <limits>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +24,7 @@ namespace Jet_fitting {
 namespace internal {
 
 /// The vertex-vertex adjacency of a mesh, by numbers, in compressed rows: about 28 bytes per vertex of a triangle mesh.
-/// A neighbour carries two flags that steer the growth of neighbourhoods (Mesh_growth).
+/// A neighbour carries two flags that steer the growth of neighbourhoods (Mesh_growth.h).
 class Compact_mesh
 {
 public:
@@ -46,7 +48,7 @@ public:
   Compact_mesh(const Mesh& mesh, const Numbering& number, Keep keep) : m_row_begins(number.size() + 2, 0)
   {
     if (num_edges(mesh) > (std::numeric_limits<Index>::max)() / 2)
-      throw std::length_error("Jet_fitting: the mesh has too many edges");
+      throw Invalid_input("a mesh of " + std::to_string(num_edges(mesh)) + " edges is too large");
     const auto for_each_edge = [&](auto visit) {
       for (auto e : make_range(edges(mesh))) {
         const Index i = number(source(e, mesh)), j = number(target(e, mesh));
@@ -68,6 +70,13 @@ public:
   Row operator[](Index i) const
   {
     return {m_neighbors.data() + m_row_begins[i], m_neighbors.data() + m_row_begins[i + 1]};
+  }
+
+  /// Replaces every neighbour in row i, flags included, by change(neighbour).
+  template <class Change>
+  void change_row(Index i, Change change)
+  {
+    for (Index k = m_row_begins[i]; k < m_row_begins[i + 1]; ++k) m_neighbors[k] = change(m_neighbors[k]);
   }
 
 private:

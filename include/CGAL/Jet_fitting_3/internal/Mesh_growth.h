@@ -74,7 +74,8 @@ public:
       const std::size_t begin = m_size;
       take_new(row_beyond(i));
       keep_from(begin, same_side);
-      for (; m_size > begin; --m_size) add_candidate(seed, m_queue[m_size - 1]);
+      for (std::size_t j = begin; j < m_size; ++j) add_candidate(seed, m_queue[j]);
+      m_size = begin;
       if (m_candidates.empty()) break;
       m_queue[m_size++] = m_candidates.back().vertex;
       m_candidates.pop_back();

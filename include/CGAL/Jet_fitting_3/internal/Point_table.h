@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Vector_3.h>
@@ -68,12 +69,13 @@ public:
     return CGAL::is_finite(m_points[i].x()) && CGAL::is_finite(m_points[i].y()) && CGAL::is_finite(m_points[i].z());
   }
 
-  /// The difference is taken, and made exact, before it becomes a double: nothing is lost far from the origin.
+  /// The difference is taken before it is rounded to double: nothing is lost far from the origin.
   Vector_3<double> offset(Index from, Index to) const
   {
     const Point_3& a = m_points[from];
     const Point_3& b = m_points[to];
-    return {to_double(exact(b.x() - a.x())), to_double(exact(b.y() - a.y())), to_double(exact(b.z() - a.z()))};
+    const Exact_first_converter<typename Kernel::FT, double> to_double;
+    return {to_double(b.x() - a.x()), to_double(b.y() - a.y()), to_double(b.z() - a.z())};
   }
 
 private:

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -18,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -32,7 +32,7 @@ using Index = std::uint32_t;
 
 constexpr Index no_index = 0xffffffff;
 
-/// Two bits of an Index are left to flags (Compact_mesh).
+/// Two bits of an Index are left to flags (Compact_mesh.h).
 constexpr std::size_t most_vertices = std::size_t(1) << 30;
 
 struct No_ids {};
@@ -63,8 +63,8 @@ public:
     for (vertex_descriptor v : make_range(vertices(mesh))) m_vertices.push_back(v);
     m_vertices.shrink_to_fit();
     if (size() >= most_vertices)
-      throw std::length_error("Jet_fitting: a mesh of " + std::to_string(size()) + " vertices is too large, the limit is "
-                              + std::to_string(most_vertices - 1));
+      throw Invalid_input("a mesh of " + std::to_string(size()) + " vertices is too large: the limit is " +
+                          std::to_string(most_vertices - 1));
     if (!number_by_id()) number_by_hash();
   }
 

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_ESTIMATION_STATUS_H
+#define CGAL_JET_FITTING_3_ESTIMATION_STATUS_H
+
+#include <cstdint>
+#include <ostream>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// What there is to know about the estimation at one vertex or point. Several may hold at once.
+enum class Status_flag : std::uint16_t
+{
+  /// A form was written. Without it: skipped, for one of the next four reasons; or not reached, if nothing is set.
+  estimated = 1,
+  /// No point in the neighbourhood but the vertex itself.
+  isolated = 2,
+  /// A coordinate, or a result, is infinite or not a number.
+  not_finite = 4,
+  /// Fewer than (d+1)(d+2)/2 points for the degree d that was asked for.
+  too_few_points = 8,
+  /// The points do not determine a jet of the degree d that was asked for: they coincide, or lie on an algebraic curve.
+  rank_deficient = 16,
+  /// With Options::lower_degree: a smaller degree was fitted, because of one of the last two.
+  degree_lowered = 32,
+  /// The points lie mostly on one side, as at the boundary of a surface: the mean of their offsets is above 0.45 times
+  /// the root of their mean squared distance (0.6 in the middle of the border of a half disc). Errors are many times larger.
+  one_sided = 64,
+  /// k1 - k2 is not above what the residual leaves open (2 rms / h^2, h^2 being the variance of the points in their
+  /// plane) or one millionth of the curvatures: the principal directions mean little.
+  near_umbilic = 128,
+  /// The variance of the points across their plane is above a quarter of that along its narrower axis: the direction
+  /// in which heights are measured may be far from the normal.
+  pca_ambiguous = 256
+};
+
+/// A set of Status_flag.
+class Estimation_status
+{
+public:
+  Estimation_status() = default;
+  Estimation_status(Status_flag flag) : m_flags(bits(flag)) {}
+
+  bool has(Status_flag flag) const { return (m_flags & bits(flag)) != 0; }
+  bool is_estimated() const { return has(Status_flag::estimated); }
+  /// Neither estimated nor skipped: the call was cancelled before.
+  bool is_unknown() const { return m_flags == 0; }
+
+  Estimation_status& operator|=(Estimation_status other)
+  {
+    m_flags = static_cast<std::uint16_t>(m_flags | other.m_flags);
+    return *this;
+  }
+
+  friend bool operator==(Estimation_status a, Estimation_status b) { return a.m_flags == b.m_flags; }
+  friend bool operator!=(Estimation_status a, Estimation_status b) { return !(a == b); }
+
+private:
+  static std::uint16_t bits(Status_flag flag) { return static_cast<std::uint16_t>(flag); }
+
+  std::uint16_t m_flags = 0;
+};
+
+inline Estimation_status operator|(Estimation_status a, Estimation_status b) { return a |= b; }
+
+/// Writes the flags in words, separated by commas.
+inline std::ostream& operator<<(std::ostream& out, Estimation_status status)
+{
+  const struct { Status_flag flag; const char* name; } words[] = {
+    {Status_flag::estimated, "estimated"}, {Status_flag::isolated, "isolated"},
+    {Status_flag::not_finite, "not finite"}, {Status_flag::too_few_points, "too few points"},
+    {Status_flag::rank_deficient, "rank deficient"}, {Status_flag::degree_lowered, "degree lowered"},
+    {Status_flag::one_sided, "one-sided"}, {Status_flag::near_umbilic, "near umbilic"},
+    {Status_flag::pca_ambiguous, "pca ambiguous"}};
+  const char* separator = "";
+  for (const auto& word : words) {
+    if (!status.has(word.flag)) continue;
+    out << separator << word.name;
+    separator = ", ";
+  }
+  return status.is_unknown() ? out << "unknown" : out;
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_ESTIMATION_STATUS_H

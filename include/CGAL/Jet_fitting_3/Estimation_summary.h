@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
+#define CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Estimation_status.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// What became of the vertices of a mesh, or of the points of a range, in one call.
+/// \tparam Item vertex_descriptor of the mesh, or std::size_t, the position in the range
+template <class Item>
+class Estimation_summary
+{
+public:
+  /// A readable property map from Item to Estimation_status. It refers to the summary, which must outlive it.
+  class Status_map
+  {
+  public:
+    using key_type = Item;
+    using value_type = Estimation_status;
+    using reference = Estimation_status;
+    using category = boost::readable_property_map_tag;
+
+    explicit Status_map(const Estimation_summary& summary) : m_summary(&summary) {}
+    friend Estimation_status get(const Status_map& map, const Item& item) { return map.m_summary->status(item); }
+
+  private:
+    const Estimation_summary* m_summary;
+  };
+
+  std::size_t estimated = 0; ///< number of items with a form
+  std::size_t skipped = 0;   ///< number of items without, their forms are empty
+  bool cancelled = false;    ///< by the callback: estimated + skipped may be less than all, the forms of the rest are untouched
+  std::vector<std::pair<Item, Estimation_status>> skipped_items; ///< which, and why; in their order in the mesh or range
+
+  /// Of one item, unknown where it was not reached or does not belong to the mesh or range.
+  Estimation_status status(const Item& item) const
+  {
+    const std::size_t i = m_number_of ? m_number_of(item) : m_statuses.size();
+    return i < m_statuses.size() ? m_statuses[i] : Estimation_status();
+  }
+
+  Status_map status_map() const { return Status_map(*this); }
+
+  /// How many items have the flag.
+  std::size_t count(Status_flag flag) const
+  {
+    std::size_t n = 0;
+    for (const Estimation_status& s : m_statuses) n += s.has(flag);
+    return n;
+  }
+
+  /// For the functions that estimate. item(i) and number_of(item) are inverse to each other.
+  template <class Item_of>
+  void set_statuses(std::vector<Estimation_status> statuses, const Item_of& item,
+                    std::function<std::size_t(const Item&)> number_of)
+  {
+    m_statuses = std::move(statuses);
+    m_number_of = std::move(number_of);
+    for (std::size_t i = 0; i < m_statuses.size(); ++i) {
+      if (m_statuses[i].is_estimated()) ++estimated;
+      else if (!m_statuses[i].is_unknown()) skipped_items.emplace_back(item(i), m_statuses[i]);
+    }
+    skipped = skipped_items.size();
+  }
+
+private:
+  std::vector<Estimation_status> m_statuses;
+  std::function<std::size_t(const Item&)> m_number_of;
+};
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_MESH_SETTING_H
+#define CGAL_JET_FITTING_3_INTERNAL_MESH_SETTING_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Compact_mesh.h>
+#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
+#include <CGAL/Jet_fitting_3/internal/Normal_table.h>
+#include <CGAL/Jet_fitting_3/internal/Point_table.h>
+#include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+#include <CGAL/Jet_fitting_3/internal/mark_sharp_edges.h>
+#include <CGAL/Jet_fitting_3/internal/vertex_normals.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// What the estimation at all vertices of a mesh needs of it, copied into compact tables once for each call.
+template <class Mesh, class NamedParameters>
+class Mesh_setting
+{
+  using Ids = decltype(vertex_ids(std::declval<const Mesh&>(), std::declval<const NamedParameters&>()));
+  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  template <class Tag>
+  using Is_default = parameters::is_default_parameter<NamedParameters, Tag>;
+
+public:
+  using Kernel = typename GetGeomTraits<Mesh, NamedParameters>::type;
+  using Numbering = Vertex_numbering<Mesh, Ids>;
+
+  Mesh_setting(const Mesh& mesh, const NamedParameters& np)
+    : m_mesh(mesh), m_np(np), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np)))
+  {
+    const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                        get_const_property_map(vertex_point, mesh));
+    m_points.reserve(size());
+    for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
+    m_points.measure();
+    m_normals = normals();
+  }
+
+  std::size_t size() const { return number().size(); }
+  vertex_descriptor item(Index i) const { return number()[i]; }
+  Index index(vertex_descriptor v) const { return number()(v); }
+  std::shared_ptr<const Numbering> shared_number() const { return m_number; }
+  const Point_table<Kernel>& points() const { return m_points; }
+
+  /// Vertices that are not finite have no neighbours, and are none.
+  Compact_mesh compact() const
+  {
+    Compact_mesh compact(m_mesh, number(),
+                         [this](Index i, Index j) { return m_points.is_finite(i) && m_points.is_finite(j); });
+    if constexpr (!Is_default<internal_np::edge_is_constrained_t>::value)
+      mark_sharp_edges(m_mesh, number(), parameters::get_parameter(m_np, internal_np::edge_is_constrained), m_points,
+                       compact);
+    return compact;
+  }
+
+  Mesh_growth<Kernel> growth(const Compact_mesh& compact) const
+  {
+    return Mesh_growth<Kernel>(compact, m_points, m_normals);
+  }
+
+  /// The normal of the mesh at vertex i, or the given one.
+  typename Kernel::Vector_3 normal(Index i) const
+  {
+    if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
+      const Vector_3<int> n = m_normals[i];
+      return typename Kernel::Vector_3(n.x, n.y, n.z);
+    } else {
+      return get(parameters::get_parameter(m_np, internal_np::vertex_normal_map), item(i));
+    }
+  }
+
+private:
+  const Numbering& number() const { return *m_number; }
+
+  Normal_table normals() const
+  {
+    if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
+      return vertex_normals(m_mesh, number(), m_points);
+    } else {
+      Normal_table normals(size());
+      for (Index i = 0; i < size(); ++i) {
+        const typename Kernel::Vector_3 n = normal(i);
+        normals.set(i, {to_double(n.x()), to_double(n.y()), to_double(n.z())});
+      }
+      return normals;
+    }
+  }
+
+  const Mesh& m_mesh;
+  const NamedParameters& m_np;
+  std::shared_ptr<const Numbering> m_number;
+  Point_table<Kernel> m_points;
+  Normal_table m_normals;
+};
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_MESH_SETTING_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_ASSESS_H
+#define CGAL_JET_FITTING_3_INTERNAL_ASSESS_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/internal/Point_table.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// The flags that a full rank fit earns by itself; those of the support are assess_support()'s.
+template <class FT>
+Estimation_status assess(const Estimation<FT>& e)
+{
+  FT sum = e.origin.x + e.origin.y + e.origin.z + e.monge_axes.x.x + e.monge_axes.z.x;
+  for (const FT& coefficient : e.coefficients) sum += coefficient;
+  if (!numeric::is_finite(sum)) return Status_flag::not_finite;
+
+  Estimation_status status = Status_flag::estimated;
+  const auto& variances = e.fitting.variances;
+  if (variances[2] * FT(4) > variances[1]) status |= Status_flag::pca_ambiguous;
+  if (e.coefficients.size() >= 2) {
+    const FT k1 = e.coefficients[0], k2 = e.coefficients[1];
+    const FT square_size = variances[0] + variances[1];
+    const FT open = FT(2) * e.residual_rms / square_size + FT(1e-6) * (numeric::absolute(k1) + numeric::absolute(k2));
+    if (!(k1 - k2 > open)) status |= Status_flag::near_umbilic;
+  }
+  return status;
+}
+
+template <class Kernel>
+Estimation_status assess_support(const Point_table<Kernel>& points, const Index* begin, const Index* end)
+{
+  Vector_3<double> sum{0, 0, 0};
+  double square_sum = 0;
+  for (const Index* i = begin; i != end; ++i) {
+    const Vector_3<double> r = points.offset_in_units(*begin, *i);
+    sum = sum + r;
+    square_sum += dot(r, r);
+  }
+  const double mean_over_rms = 0.45;
+  return dot(sum, sum) > mean_over_rms * mean_over_rms * double(end - begin) * square_sum
+           ? Estimation_status(Status_flag::one_sided) : Estimation_status();
+}
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_ASSESS_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_ESTIMATE_BLOCKS_H
+#define CGAL_JET_FITTING_3_INTERNAL_ESTIMATE_BLOCKS_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/internal/fit_block.h>
+#include <CGAL/Jet_fitting_3/internal/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// How many neighbourhoods are gathered before they are fitted. Fixed, so that the results are the same bits whatever
+/// the number of threads.
+constexpr std::size_t block_size = 1024;
+
+using Progress = std::function<bool(double)>;
+
+/// Gathers, fits, orients and stores block after block.
+///
+/// \param make_gather() makes, for each thread, a function object: gather(i, row) appends the neighbourhood of i
+/// \param fit(block, fits), a Block_fitter
+/// \param orient(i, form)
+/// \param store(first, fits) is called by one thread at a time, but the blocks come in any order
+/// \param progress may be empty; called by one thread at a time. \return false if it cancelled
+template <class ConcurrencyTag, class DataKernel, class Make_gather, class Block_fitter, class Orient, class Store>
+bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Block_fitter& fit, const Orient& orient,
+                     const Store& store, const Progress& progress)
+{
+  std::mutex mutex;
+  std::size_t done = 0;
+  bool cancelled = false;
+
+  const auto make_worker = [&] {
+    return [&, gather = make_gather(), block = Neighborhood_block(),
+            fits = std::vector<Fit<DataKernel>>()](std::size_t b) mutable {
+      const std::size_t first = b * block_size, last = (std::min)(first + block_size, size);
+      block.clear();
+      for (std::size_t i = first; i < last; ++i)
+        block.add_row([&](std::vector<Index>& row) { gather(static_cast<Index>(i), row); });
+      fit(block, fits);
+      for (std::size_t i = first; i < last; ++i)
+        if (fits[i - first].status.is_estimated()) orient(static_cast<Index>(i), fits[i - first].form);
+
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (cancelled) return false;
+      store(first, fits);
+      done += last - first;
+      cancelled = progress && !progress(double(done) / double(size));
+      return !cancelled;
+    };
+  };
+  for_each_block<ConcurrencyTag>((size + block_size - 1) / block_size, make_worker);
+  return !cancelled || done == size;
+}
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_ESTIMATE_BLOCKS_H

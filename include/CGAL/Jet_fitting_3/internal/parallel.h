@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_PARALLEL_H
+#define CGAL_JET_FITTING_3_INTERNAL_PARALLEL_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/tags.h>
+
+#include <atomic>
+#include <cstddef>
+#include <type_traits>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// Runs worker(b) for every block b = 0, ..., blocks - 1, until one returns false. make_worker() is called once for each
+/// thread. Blocks are begun in order, whichever thread takes them.
+template <class ConcurrencyTag, class Make_worker>
+void for_each_block(std::size_t blocks, const Make_worker& make_worker)
+{
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::enumerable_thread_specific<decltype(make_worker())> workers(make_worker);
+    std::atomic<std::size_t> next(0);
+    std::atomic<bool> go_on(true);
+    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t) {
+      if (go_on && !workers.local()(next++)) go_on = false;
+    });
+#else
+    static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                  "Parallel_tag needs TBB: link with CGAL::TBB_support, or take Parallel_if_available_tag");
+#endif
+  } else {
+    auto worker = make_worker();
+    for (std::size_t b = 0; b < blocks && worker(b); ++b) {}
+  }
+}
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_PARALLEL_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_VERTEX_NORMALS_H
+#define CGAL_JET_FITTING_3_INTERNAL_VERTEX_NORMALS_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Normal_table.h>
+#include <CGAL/Jet_fitting_3/internal/Point_table.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// The normal of a vertex is the sum of the vector areas of the faces around it: on the side from which they are seen
+/// counterclockwise. Faces with a corner that is not finite do not count.
+template <class Mesh, class Numbering, class Kernel>
+Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Point_table<Kernel>& points)
+{
+  std::vector<Vector_3<float>> sums(number.size(), Vector_3<float>{0, 0, 0});
+  std::vector<Index> corners;
+  for (auto f : make_range(faces(mesh))) {
+    corners.clear();
+    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(number(v));
+    Vector_3<double> area{0, 0, 0};
+    Vector_3<double> last = points.offset_in_units(corners[0], corners[1]);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const Vector_3<double> next = points.offset_in_units(corners[0], corners[i]);
+      area = area + cross(last, next);
+      last = next;
+    }
+    if (!std::isfinite(area.x + area.y + area.z)) continue;
+    const Vector_3<float> rough{float(area.x), float(area.y), float(area.z)};
+    for (const Index corner : corners) sums[corner] = sums[corner] + rough;
+  }
+
+  Normal_table normals(sums.size());
+  for (Index i = 0; i < sums.size(); ++i) normals.set(i, {sums[i].x, sums[i].y, sums[i].z});
+  return normals;
+}
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_VERTEX_NORMALS_H
