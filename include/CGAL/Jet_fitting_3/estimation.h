@@ -7,7 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_ESTIMATION_H
 #define CGAL_JET_FITTING_3_ESTIMATION_H
 
-#include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/numeric/condition_number.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>

@@ -39,12 +39,17 @@ struct Row_block<FT, 1>
   static FT sum(const type& block) { return block; }
 };
 
+template <class FT>
+constexpr std::size_t padded_to_blocks(std::size_t rows)
+{
+  return (rows + Row_block<FT>::size - 1) / Row_block<FT>::size * Row_block<FT>::size;
+}
+
 /// The least squares system M Y = Z, one column of M after the other, then Z. Rows are padded to whole blocks by rows of
 /// zeros, which change no solution. Storage is kept from one system to the next.
 template <class FT>
 class Linear_system
 {
-  static constexpr std::size_t block = Row_block<FT>::size;
   static constexpr std::size_t inline_bytes = 128 * 16 * sizeof(double);
 
 public:
@@ -52,7 +57,7 @@ public:
   {
     m_rows = rows;
     m_columns = columns;
-    m_padded_rows = (rows + block - 1) / block * block;
+    m_padded_rows = padded_to_blocks<FT>(rows);
     m_entries.resize(m_padded_rows * (columns + 1));
   }
 

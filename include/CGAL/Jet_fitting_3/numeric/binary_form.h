@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H
 #define CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H
 
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cstddef>
@@ -27,28 +28,15 @@ void along(const FT& x, const FT& y, std::size_t k, const FT* form, FT* lower)
   for (std::size_t i = 0; i < k; ++i) lower[i] = x * form[i] + y * form[i + 1];
 }
 
-/// Derivatives -> Taylor coefficients.
+/// 0!, 1!, ..., k!
 template <class FT>
-void divide_by_factorials(std::size_t k, FT* form)
+Buffer<FT, 16> factorials(std::size_t k)
 {
-  FT inverse_factorial(1);
-  for (std::size_t i = 2; i <= k; ++i) inverse_factorial = inverse_factorial / FT(double(i));
-  for (std::size_t i = 0; i <= k; ++i) { // 1 / ((k-i)! i!)
-    form[i] = form[i] * inverse_factorial;
-    inverse_factorial = inverse_factorial * FT(double(k - i)) / FT(double(i + 1));
-  }
-}
-
-/// Taylor coefficients -> derivatives.
-template <class FT>
-void multiply_by_factorials(std::size_t k, FT* polynomial)
-{
-  FT factorial(1);
-  for (std::size_t i = 2; i <= k; ++i) factorial = factorial * FT(double(i));
-  for (std::size_t i = 0; i <= k; ++i) { // (k-i)! i!
-    polynomial[i] = polynomial[i] * factorial;
-    if (i < k) factorial = factorial * FT(double(i + 1)) / FT(double(k - i));
-  }
+  Buffer<FT, 16> result;
+  result.resize(k + 1);
+  result[0] = FT(1);
+  for (std::size_t i = 1; i <= k; ++i) result[i] = result[i - 1] * FT(double(i));
+  return result;
 }
 
 /// sum += a b, for polynomials a of order k and b of order m.

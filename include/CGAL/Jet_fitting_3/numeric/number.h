@@ -8,6 +8,8 @@
 #define CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 /// \file
@@ -104,8 +106,21 @@ Float power_of_two_above_by_exponent(Float x)
 }
 
 inline float power_of_two_above(float x) { return power_of_two_above_by_exponent(x); }
-inline double power_of_two_above(double x) { return power_of_two_above_by_exponent(x); }
 inline long double power_of_two_above(long double x) { return power_of_two_above_by_exponent(x); }
+
+/// Reads the exponent from the bits where they are those of IEC 60559: a call of frexp takes as long as a small fit's
+/// change of coordinates.
+inline double power_of_two_above(double x)
+{
+  const double least = 0x1p-1000, most = 0x1p1000;
+  if (!std::numeric_limits<double>::is_iec559 || !(x > least) || !(x < most)) return power_of_two_above_by_exponent(x);
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(double));
+  bits = (bits & 0x7ff0000000000000u) + 0x0010000000000000u;
+  double power;
+  std::memcpy(&power, &bits, sizeof(double));
+  return power;
+}
 
 } // namespace numeric
 } // namespace Jet_fitting

@@ -45,12 +45,16 @@ template <class FT>
 FT square_norm(const FT* q, std::size_t rows)
 {
   using Rows = Row_block<FT>;
-  typename Rows::type sum(FT(0));
-  for (std::size_t i = 0; i < rows; i += Rows::size) {
-    const auto qi = Rows::load(q + i);
+  // two sums: the next column waits for this one, and an addition takes several cycles
+  typename Rows::type sum(FT(0)), other_sum(FT(0));
+  std::size_t i = 0;
+  for (; i + Rows::size < rows; i += 2 * Rows::size) {
+    const auto qi = Rows::load(q + i), qj = Rows::load(q + i + Rows::size);
     sum = sum + qi * qi;
+    other_sum = other_sum + qj * qj;
   }
-  return Rows::sum(sum);
+  if (i < rows) sum = sum + Rows::load(q + i) * Rows::load(q + i);
+  return Rows::sum(sum + other_sum);
 }
 
 /// Least squares by modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the

@@ -18,15 +18,13 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
 
-/// Rotates the columns a and b of one or two matrices: (a, b) -> (c a + s b, c b - s a), t = s / c.
 template <class FT>
-void rotate_columns(std::size_t rows, const FT& t, FT* a, FT* b)
+void rotate_columns(std::size_t rows, const Rotation<FT>& rotation, FT* a, FT* b)
 {
-  const FT c = FT(1) / square_root(FT(FT(1) + t * t)), s = t * c;
   for (std::size_t i = 0; i < rows; ++i) {
     const FT ai = a[i];
-    a[i] = c * ai + s * b[i];
-    b[i] = c * b[i] - s * ai;
+    a[i] = rotation.cosine * ai + rotation.sine * b[i];
+    b[i] = rotation.cosine * b[i] - rotation.sine * ai;
   }
 }
 
@@ -54,9 +52,9 @@ void orthogonalize_by_rotations(std::size_t rows, std::size_t columns, FT* a, st
         const bool is_orthogonal = !(pq * pq > negligible * pp * qq);
         const bool is_noise = !(pp > negligible * largest) || !(qq > negligible * largest);
         if (is_orthogonal || (is_noise && !(pq * pq > negligible * negligible * largest * largest))) continue;
-        const FT t = jacobi_tangent(pp, pq, qq);
-        rotate_columns(rows, t, ap, aq);
-        rotate_columns(v_rows, t, v + p * v_rows, v + q * v_rows);
+        const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
+        rotate_columns(rows, rotation, ap, aq);
+        rotate_columns(v_rows, rotation, v + p * v_rows, v + q * v_rows);
         ++rotations;
       }
   }
@@ -75,20 +73,6 @@ FT ratio_of_norms(std::size_t rows, std::size_t columns, const FT* a)
   }
   if (!(smallest > FT(0))) return std::numeric_limits<FT>::infinity();
   return square_root(FT(largest / smallest));
-}
-
-/// Ratio of the largest and the smallest singular value. The method runs on the transpose, for which it converges
-/// faster when the matrix comes from an orthogonalization (Drmac and Veselic 2008).
-template <class FT>
-FT condition_number(const Upper_triangle<FT>& r)
-{
-  const std::size_t n = r.size();
-  Buffer<FT, 225> transposed;
-  transposed.resize(n * n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) transposed[i * n + j] = j < i ? FT(0) : r(i, j);
-  orthogonalize_by_rotations(n, n, transposed.data(), 0, transposed.data());
-  return ratio_of_norms(n, n, transposed.data());
 }
 
 /// Least squares with the minimum norm among the solutions (equation 5, whose two blocks of zeros are printed

@@ -16,14 +16,26 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
 
-/// Tangent of the rotation angle, at most pi/4, that diagonalizes [[a, b], [b, c]]; 0 where b is 0.
+/// A rotation by at most pi/4.
 template <class FT>
-FT jacobi_tangent(const FT& a, const FT& b, const FT& c)
+struct Rotation
+{
+  FT tangent, cosine, sine;
+};
+
+/// The rotation that diagonalizes [[a, b], [b, c]]: (p, q) -> (cosine p + sine q, cosine q - sine p) makes the new
+/// diagonal a + tangent b, c - tangent b. The identity where b is 0.
+template <class FT>
+Rotation<FT> jacobi_rotation(const FT& a, const FT& b, const FT& c)
 {
   const FT half_difference = FT(0.5) * (a - c);
-  const FT signed_sum = half_difference + select(half_difference < FT(0), FT(-1), FT(1)) *
-                                              square_root(FT(half_difference * half_difference + b * b));
-  return select(signed_sum == FT(0), FT(0), b / signed_sum);
+  const FT radius = square_root(FT(half_difference * half_difference + b * b));
+  const FT sum = radius + absolute(half_difference);
+  const auto is_diagonal = radius == FT(0);
+  // tangent and cosine side by side: one after the other, their divisions and roots would wait for each other
+  const FT tangent = select(is_diagonal, FT(0), select(half_difference < FT(0), FT(-b), b) / sum);
+  const FT cosine = select(is_diagonal, FT(1), square_root(FT(sum / (radius + radius))));
+  return {tangent, cosine, tangent * cosine};
 }
 
 template <class FT>
@@ -37,12 +49,11 @@ struct Eigen_2
 template <class FT>
 Eigen_2<FT> symmetric_eigen_2(const FT& a, const FT& b, const FT& c)
 {
-  const FT tangent = jacobi_tangent(a, b, c);
-  const FT cosine = FT(1) / square_root(FT(FT(1) + tangent * tangent));
-  const FT first = a + tangent * b, second = c - tangent * b;
+  const Rotation<FT> rotation = jacobi_rotation(a, b, c);
+  const FT first = a + rotation.tangent * b, second = c - rotation.tangent * b;
   const auto swapped = first < second;
   return {select(swapped, second, first), select(swapped, first, second),
-          select(swapped, FT(-tangent * cosine), cosine), select(swapped, cosine, FT(tangent * cosine))};
+          select(swapped, FT(-rotation.sine), rotation.cosine), select(swapped, rotation.cosine, rotation.sine)};
 }
 
 template <class FT>
@@ -59,12 +70,15 @@ Eigen_3<FT> symmetric_eigen_3(FT xx, FT xy, FT xz, FT yy, FT yz, FT zz)
 {
   Vector_3<FT> u{FT(1), FT(0), FT(0)}, v{FT(0), FT(1), FT(0)}, w{FT(0), FT(0), FT(1)};
 
+  const FT negligible = epsilon<FT>() * (absolute(xx) + absolute(yy) + absolute(zz));
+
   // diagonalizes [[pp, pq], [pq, qq]]; r is the third axis
-  const auto rotate = [](FT& pp, FT& pq, FT& qq, FT& pr, FT& qr, Vector_3<FT>& p, Vector_3<FT>& q) {
-    const FT t = jacobi_tangent(pp, pq, qq);
-    const FT c = FT(1) / square_root(FT(FT(1) + t * t)), s = t * c;
-    pp = pp + t * pq;
-    qq = qq - t * pq;
+  const auto rotate = [&negligible](FT& pp, FT& pq, FT& qq, FT& pr, FT& qr, Vector_3<FT>& p, Vector_3<FT>& q) {
+    if (!any(absolute(pq) > negligible)) return false;
+    const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
+    const FT c = rotation.cosine, s = rotation.sine;
+    pp = pp + rotation.tangent * pq;
+    qq = qq - rotation.tangent * pq;
     pq = FT(0);
     const FT pr_before = pr;
     pr = c * pr + s * qr;
@@ -72,15 +86,15 @@ Eigen_3<FT> symmetric_eigen_3(FT xx, FT xy, FT xz, FT yy, FT yz, FT zz)
     const Vector_3<FT> p_before = p;
     p = c * p + s * q;
     q = c * q - s * p_before;
+    return true;
   };
 
-  const FT negligible = epsilon<FT>() * (absolute(xx) + absolute(yy) + absolute(zz));
   const int most_sweeps = 12; // convergence is quadratic: three or four sweeps in double precision
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    if (!any(FT(absolute(xy) + absolute(xz) + absolute(yz)) > negligible)) break;
-    rotate(xx, xy, yy, xz, yz, u, v);
-    rotate(xx, xz, zz, xy, yz, u, w);
-    rotate(yy, yz, zz, xy, xz, v, w);
+  bool rotated = true;
+  for (int sweep = 0; sweep < most_sweeps && rotated; ++sweep) {
+    rotated = rotate(xx, xy, yy, xz, yz, u, v);
+    rotated = rotate(xx, xz, zz, xy, yz, u, w) || rotated;
+    rotated = rotate(yy, yz, zz, xy, xz, v, w) || rotated;
   }
 
   const auto order = [](FT& a, FT& b, Vector_3<FT>& p, Vector_3<FT>& q) {

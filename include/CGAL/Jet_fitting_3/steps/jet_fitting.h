@@ -9,7 +9,9 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/numeric/orthogonalization.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
@@ -20,36 +22,42 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// The samples in the fitting basis: (u, v) in units of their extents hu, hv along the two axes, heights as they are.
+/// Padded by zeros to whole blocks of rows.
 template <class FT>
 struct Heights
 {
   using Coordinates = numeric::Buffer<FT, 128>;
+  std::size_t size;
   Coordinates u, v, height, root_weight; ///< no root_weight: weights one
   FT hu, hv;                             ///< powers of two
 };
 
-/// Weighted mean of the absolute values.
 template <class FT>
-FT extent(const numeric::Buffer<FT, 128>& coordinates, const Samples<FT>& samples)
+FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<FT>& samples)
 {
   FT sum(0);
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    sum = sum + samples.weight(i) * numeric::absolute(coordinates[i]);
-  return sum / samples.total_weight();
+  if (samples.is_weighted())
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      sum = sum + samples.weight(i) * coordinates[i] * coordinates[i];
+  else sum = numeric::square_norm(coordinates.data(), coordinates.size());
+  return numeric::square_root(FT(sum / samples.total_weight()));
 }
 
 /// Change of coordinates P_{W -> F}, and the extents for the preconditioning. The paper takes one h for both axes, the
-/// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). One extent for each axis keeps
-/// the condition number small on narrow strips. An axis 2^-40 times narrower than the other shares the other's extent:
-/// its coordinates are rounding errors of collinear samples, and must not be blown up into seeming information.
+/// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). Here it is the root mean square,
+/// and one for each axis, which keeps the condition number small on narrow strips. An axis 2^-40 times narrower than
+/// the other shares the other's extent: its coordinates are rounding errors of collinear samples, and must not be blown
+/// up into seeming information.
 template <class FT>
 Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
 {
-  const std::size_t n = samples.size();
+  const std::size_t n = samples.size(), padded = numeric::padded_to_blocks<FT>(n);
   Heights<FT> h;
-  h.u.resize(n);
-  h.v.resize(n);
-  h.height.resize(n);
+  h.size = n;
+  for (auto* coordinates : {&h.u, &h.v, &h.height}) {
+    coordinates->resize(padded);
+    for (std::size_t i = n; i < padded; ++i) (*coordinates)[i] = FT(0);
+  }
   const FT *x = samples.x(), *y = samples.y(), *z = samples.z();
   FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
   for (std::size_t i = 0; i < n; ++i) {
@@ -58,14 +66,16 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
     height[i] = x[i] * basis.z.x + y[i] * basis.z.y + z[i] * basis.z.z;
   }
   if (samples.is_weighted()) {
-    h.root_weight.resize(n);
-    for (std::size_t i = 0; i < n; ++i) h.root_weight[i] = numeric::square_root(samples.weight(i));
+    h.root_weight.resize(padded);
+    for (std::size_t i = 0; i < padded; ++i)
+      h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
   }
 
-  const FT extent_u = extent(h.u, samples), extent_v = extent(h.v, samples);
+  const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
   const FT least = FT(1.0 / (1ll << 40)) * numeric::larger(extent_u, extent_v);
-  h.hu = numeric::power_of_two_above(numeric::select(extent_u < least, extent_v, extent_u));
-  h.hv = numeric::power_of_two_above(numeric::select(extent_v < least, extent_u, extent_v));
+  const FT border(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
+  h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, extent_v, extent_u)));
+  h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, extent_u, extent_v)));
   const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
   for (std::size_t i = 0; i < n; ++i) {
     u[i] = u[i] * inverse_hu;
@@ -79,45 +89,40 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
 template <class FT>
 void assemble(const Heights<FT>& h, std::size_t degree, numeric::Linear_system<FT>& system)
 {
-  const std::size_t n = h.height.size(), padded = system.padded_rows();
-  const bool weighted = !h.root_weight.empty();
-  const auto fill = [n, padded](FT* column, auto entry) {
-    for (std::size_t i = 0; i < n; ++i) column[i] = entry(i);
-    for (std::size_t i = n; i < padded; ++i) column[i] = FT(0);
-  };
+  const std::size_t n = h.size, rows = system.padded_rows();
   const FT *u = h.u.data(), *v = h.v.data(), *z = h.height.data(), *w = h.root_weight.data();
+  const bool weighted = !h.root_weight.empty();
 
-  if (weighted) fill(system.column(0), [w](std::size_t i) { return w[i]; });
-  else fill(system.column(0), [](std::size_t) { return FT(1); });
-  for (std::size_t k = 1, j = 1; k <= degree; ++k) {
-    for (std::size_t c = 0; c < k; ++c, ++j) { // u^(k-c) v^c, from the order before
-      const FT* lower = system.column(j - k);
-      fill(system.column(j), [u, lower](std::size_t i) { return FT(u[i] * lower[i]); });
+  FT* constant = system.column(0);
+  for (std::size_t i = 0; i < rows; ++i) constant[i] = weighted ? w[i] : i < n ? FT(1) : FT(0);
+  for (std::size_t k = 1, j = 1; k <= degree; ++k)
+    for (std::size_t c = 0; c <= k; ++c, ++j) { // u^(k-c) v^c
+      const FT* factor = c < k ? u : v;
+      const FT* lower = system.column(c < k ? j - k : j - k - 1);
+      FT* column = system.column(j);
+      for (std::size_t i = 0; i < rows; ++i) column[i] = factor[i] * lower[i];
     }
-    const FT* lower = system.column(j - k - 1);
-    fill(system.column(j++), [v, lower](std::size_t i) { return FT(v[i] * lower[i]); });
-  }
-  if (weighted) fill(system.right_side(), [z, w](std::size_t i) { return FT(w[i] * z[i]); });
-  else fill(system.right_side(), [z](std::size_t i) { return z[i]; });
+  FT* right_side = system.right_side();
+  for (std::size_t i = 0; i < rows; ++i) right_side[i] = weighted ? FT(w[i] * z[i]) : z[i];
 }
 
 /// The solution A = D^-1 Y as derivatives: A_ij = y_ij i! j! / (hu^i hv^j).
 template <class FT>
 Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, const FT& hu, const FT& hv)
 {
-  Jet<FT> jet(degree);
+  const auto factorials = numeric::factorials<FT>(degree);
+  numeric::Buffer<FT, 16> along_u = factorials, along_v = factorials; // i! / hu^i, j! / hv^j
   const FT inverse_hu = FT(1) / hu, inverse_hv = FT(1) / hv;
-  const FT v_over_u = hu * inverse_hv;
-  FT pure_u(1); // k! / hu^k
-  std::size_t j = 0;
-  for (std::size_t k = 0; k <= degree; ++k) {
-    if (k > 0) pure_u = pure_u * FT(double(k)) * inverse_hu;
-    FT factor = pure_u; // (k-i)! i! / (hu^(k-i) hv^i)
-    for (std::size_t i = 0; i <= k; ++i, ++j) {
-      jet.part(k)[i] = y[j] * factor;
-      if (i < k) factor = factor * FT(double(i + 1)) / FT(double(k - i)) * v_over_u;
-    }
+  FT power_u(1), power_v(1);
+  for (std::size_t i = 1; i <= degree; ++i) {
+    power_u = power_u * inverse_hu;
+    power_v = power_v * inverse_hv;
+    along_u[i] = along_u[i] * power_u;
+    along_v[i] = along_v[i] * power_v;
   }
+  Jet<FT> jet(degree);
+  for (std::size_t k = 0, j = 0; k <= degree; ++k)
+    for (std::size_t i = 0; i <= k; ++i, ++j) jet.part(k)[i] = y[j] * along_u[k - i] * along_v[i];
   return jet;
 }
 

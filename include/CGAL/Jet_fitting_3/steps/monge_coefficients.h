@@ -46,6 +46,7 @@ private:
 template <class FT>
 Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basis<FT>& monge, std::size_t dprime)
 {
+  const auto factorials = numeric::factorials<FT>(dprime);
   const Vector_3<FT>&d1 = monge.axes.x, &d2 = monge.axes.y;
   Power_series<FT> heights(2, dprime);
   heights.order(2)[0] = FT(0.5) * monge.k1;
@@ -60,9 +61,8 @@ Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basi
       if (i > 0) numeric::along(d2.x, d2.y, k - i + 1, along_d2.data(), along_d2.data());
       for (std::size_t j = 0; j <= k - i; ++j) along_both[j] = along_d2[j];
       for (std::size_t m = k - i; m > 0; --m) numeric::along(d1.x, d1.y, m, along_both.data(), along_both.data());
-      f[i] = along_both[0];
+      f[i] = along_both[0] / FT(factorials[k - i] * factorials[i]);
     }
-    numeric::divide_by_factorials(k, f);
   }
   return heights;
 }
@@ -112,10 +112,10 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
   coefficients.resize(number_of_monge_coefficients(dprime));
   coefficients[0] = monge.k1;
   coefficients[1] = monge.k2;
-  for (std::size_t k = 3; k <= dprime; ++k) {
-    numeric::multiply_by_factorials(k, g.order(k));
-    for (std::size_t i = 0; i <= k; ++i) coefficients[monge_offset(k) + i] = g.order(k)[i];
-  }
+  const auto factorials = numeric::factorials<FT>(dprime);
+  for (std::size_t k = 3; k <= dprime; ++k)
+    for (std::size_t i = 0; i <= k; ++i)
+      coefficients[monge_offset(k) + i] = g.order(k)[i] * (factorials[k - i] * factorials[i]);
   return coefficients;
 }
 
