@@ -11,6 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
 #include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
 #include <CGAL/Jet_fitting_3/internal/Own_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/estimate_blocks.h>
@@ -82,7 +83,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   const Setting setting(mesh, np);
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
   const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) {
-    form.comply_wrt_given_normal(setting.normal(i));
+    setting.normals().orient(form, i);
   };
 
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
@@ -106,9 +107,8 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
                   "neighborhood(vertex_descriptor, std::vector<vertex_descriptor>&)");
     const Compact_mesh compact = setting.compact();
     run([&] {
-      return [&neighborhood, growth = setting.growth(compact)](Index seed, std::vector<Index>& row) mutable {
-        neighborhood(growth, seed, row);
-      };
+      return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(), setting.normals())](
+               Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
     });
   }
   summary.set_statuses(std::move(statuses), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },

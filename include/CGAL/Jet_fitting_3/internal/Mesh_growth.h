@@ -166,9 +166,9 @@ private:
   }
 
   /// Of the seed and its neighbours together, because a single normal of a noisy mesh may point anywhere.
-  Vector_3<int> normal_around(Index seed) const
+  Vector_3<float> normal_around(Index seed) const
   {
-    Vector_3<int> sum = m_normals[seed];
+    Vector_3<float> sum = m_normals[seed];
     for (const Index neighbor : m_mesh[seed])
       if (!(neighbor & Compact_mesh::is_other_side)) sum = sum + m_normals[neighbor & Compact_mesh::number_mask];
     return sum;

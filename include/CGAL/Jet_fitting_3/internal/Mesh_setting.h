@@ -10,7 +10,6 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/internal/Compact_mesh.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
 #include <CGAL/Jet_fitting_3/internal/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
@@ -24,7 +23,6 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -51,7 +49,7 @@ public:
     m_points.reserve(size());
     for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
     m_points.measure();
-    m_normals = normals();
+    m_normals = read_normals();
   }
 
   std::size_t size() const { return number().size(); }
@@ -71,35 +69,20 @@ public:
     return compact;
   }
 
-  Mesh_growth<Kernel> growth(const Compact_mesh& compact) const
-  {
-    return Mesh_growth<Kernel>(compact, m_points, m_normals);
-  }
-
-  /// The normal of the mesh at vertex i, or the given one.
-  typename Kernel::Vector_3 normal(Index i) const
-  {
-    if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
-      const Vector_3<int> n = m_normals[i];
-      return typename Kernel::Vector_3(n.x, n.y, n.z);
-    } else {
-      return get(parameters::get_parameter(m_np, internal_np::vertex_normal_map), item(i));
-    }
-  }
+  /// The normals of the mesh, or the given ones.
+  const Normal_table& normals() const { return m_normals; }
 
 private:
   const Numbering& number() const { return *m_number; }
 
-  Normal_table normals() const
+  Normal_table read_normals() const
   {
     if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
       return vertex_normals(m_mesh, number(), m_points);
     } else {
+      const auto normal_map = parameters::get_parameter(m_np, internal_np::vertex_normal_map);
       Normal_table normals(size());
-      for (Index i = 0; i < size(); ++i) {
-        const typename Kernel::Vector_3 n = normal(i);
-        normals.set(i, {to_double(n.x()), to_double(n.y()), to_double(n.z())});
-      }
+      for (Index i = 0; i < size(); ++i) normals.set(i, get(normal_map, item(i)));
       return normals;
     }
   }

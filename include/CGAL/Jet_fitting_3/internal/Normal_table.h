@@ -9,8 +9,11 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/Monge_form.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 #include <CGAL/Jet_fitting_3/values/Vector_3.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,59 +24,74 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Rough normals, three bytes each, right to half a degree: enough to tell the two sides of a surface apart.
+/// Normals in six bytes each, right to 1/300 of a degree: they tell the two sides of a surface apart.
 /// A normal that is zero or not finite counts as unknown, and is on every side.
 class Normal_table
 {
-  struct Rough
+  struct Packed
   {
-    std::int8_t x, y, z;
+    std::int16_t x, y, z;
   };
 
-  static constexpr double rough_size = 127;
+  static constexpr double packed_size = 32767;
 
 public:
-  explicit Normal_table(std::size_t size = 0) : m_normals(size, Rough{0, 0, 0}) {}
-
-  bool empty() const { return m_normals.empty(); }
+  explicit Normal_table(std::size_t size = 0) : m_normals(size, Packed{0, 0, 0}) {}
 
   void set(Index i, const Vector_3<double>& normal)
   {
     const double size = (std::max)({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-    if (!(size > 0) || !std::isfinite(size)) return;
-    const Vector_3<double> scaled = (1 / size) * normal;
-    const double to_rough = rough_size / std::sqrt(dot(scaled, scaled));
-    const auto rough = [&](double c) { return static_cast<std::int8_t>(std::lround(to_rough * c)); };
-    m_normals[i] = {rough(scaled.x), rough(scaled.y), rough(scaled.z)};
+    if (!(size > 0) || !std::isfinite(normal.x + normal.y + normal.z)) return;
+    const Vector_3<double> scaled{normal.x / size, normal.y / size, normal.z / size};
+    const double factor = packed_size / std::sqrt(dot(scaled, scaled));
+    const auto packed = [&](double c) { return static_cast<std::int16_t>(std::lround(factor * c)); };
+    m_normals[i] = {packed(scaled.x), packed(scaled.y), packed(scaled.z)};
   }
 
-  Vector_3<int> operator[](Index i) const { return {m_normals[i].x, m_normals[i].y, m_normals[i].z}; }
+  template <class Kernel_vector_3>
+  void set(Index i, const Kernel_vector_3& normal)
+  {
+    set(i, Vector_3<double>{CGAL::to_double(normal.x()), CGAL::to_double(normal.y()), CGAL::to_double(normal.z())});
+  }
+
+  Vector_3<float> operator[](Index i) const
+  {
+    return {float(m_normals[i].x), float(m_normals[i].y), float(m_normals[i].z)};
+  }
+
+  /// Turns a form to the side of normal i.
+  template <class DataKernel>
+  void orient(Monge_form<DataKernel>& form, Index i) const
+  {
+    const Packed n = m_normals[i];
+    form.comply_wrt_given_normal(typename DataKernel::Vector_3(n.x, n.y, n.z));
+  }
 
   /// Tells which normals make less than 84 degrees with a direction: a little less than 90, because walls at a right
   /// angle are no part of a graph over the tangent plane, and must not come and go with rounding.
   class Same_side
   {
   public:
-    Same_side(const Normal_table& normals, const Vector_3<int>& direction)
+    Same_side(const Normal_table& normals, const Vector_3<float>& direction)
       : m_normals(normals.m_normals.data()), m_direction(direction),
-        m_least(int(0.1 * rough_size * std::sqrt(double(dot(direction, direction)))))
+        m_least(0.1f * float(packed_size) * std::sqrt(dot(direction, direction)))
     {}
 
     bool operator()(Index i) const
     {
-      const Rough n = m_normals[i];
-      const int projection = n.x * m_direction.x + n.y * m_direction.y + n.z * m_direction.z;
+      const Packed n = m_normals[i];
+      const float projection = n.x * m_direction.x + n.y * m_direction.y + n.z * m_direction.z;
       return (projection >= m_least) | ((n.x | n.y | n.z) == 0);
     }
 
   private:
-    const Rough* m_normals;
-    Vector_3<int> m_direction;
-    int m_least;
+    const Packed* m_normals;
+    Vector_3<float> m_direction;
+    float m_least;
   };
 
 private:
-  std::vector<Rough> m_normals;
+  std::vector<Packed> m_normals;
 };
 
 } // namespace internal

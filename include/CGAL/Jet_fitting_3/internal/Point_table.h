@@ -49,6 +49,9 @@ public:
     return {double(d.x), double(d.y), double(d.z)};
   }
 
+  /// Relative to a point that is the same for all.
+  Vector_3<double> place(Index i) const { return {double(m_points[i].x), double(m_points[i].y), double(m_points[i].z)}; }
+
 private:
   std::vector<Vector_3<FT>> m_points;
 };
@@ -77,6 +80,8 @@ public:
     const Exact_first_converter<typename Kernel::FT, double> to_double;
     return {to_double(b.x() - a.x()), to_double(b.y() - a.y()), to_double(b.z() - a.z())};
   }
+
+  Vector_3<double> place(Index i) const { return offset(0, i); }
 
 private:
   std::vector<Point_3> m_points;
@@ -107,6 +112,8 @@ public:
   double per_length() const { return m_per_length; }
 
   Vector_3<double> offset_in_units(Index from, Index to) const { return m_per_length * Base::offset(from, to); }
+
+  Vector_3<double> place_in_units(Index i) const { return m_per_length * Base::place(i); }
 
   double squared_distance_in_units(Index i, Index j) const
   {
