@@ -35,6 +35,9 @@ inline void check_degrees(std::size_t d, std::size_t dprime)
 /// At least N_d samples. \throw Invalid_input otherwise
 inline void check_number_of_samples(std::size_t n, std::size_t d)
 {
+  if (d >= n) // N_d > d; of an absurd degree N_d itself would overflow
+    throw Invalid_input("a jet of degree " + std::to_string(d) + " needs more samples than its degree: got " +
+                        std::to_string(n));
   if (n < number_of_jet_coefficients(d))
     throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " +
                         std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));

@@ -134,8 +134,8 @@ public:
   /// \throw std::out_of_range if d' < 2
   void dump_4ogl(std::ostream& out, const FT scale) const
   {
-    out << m_origin << ' ' << m_d1 * scale << ' ' << m_d2 * scale << ' ' << principal_curvatures(0) << ' '
-        << principal_curvatures(1) << " \n";
+    const FT &k1 = principal_curvatures(0), &k2 = principal_curvatures(1);
+    out << m_origin << ' ' << m_d1 * scale << ' ' << m_d2 * scale << ' ' << k1 << ' ' << k2 << " \n";
   }
 
 private:

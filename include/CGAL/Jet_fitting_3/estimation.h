@@ -56,10 +56,9 @@ Estimation<FT> estimate(Samples<FT> samples, std::size_t degree, std::size_t dpr
   Monge_coefficients<FT> coefficients;
   if (dprime >= 2) coefficients = monge_coefficients(fit.jet, monge, dprime);
 
-  FT power = inverse_unit; // length^(1-k) back to the unit of the samples
-  for (std::size_t k = 2; k <= dprime; ++k, power = power * inverse_unit)
+  for (std::size_t k = 2; k <= dprime; ++k) // length^(1-k), back to the unit of the samples
     for (std::size_t i = k == 2 ? 0 : monge_offset(k); i < monge_offset(k + 1); ++i)
-      coefficients[i] = coefficients[i] * power;
+      coefficients[i] = numeric::multiplied(coefficients[i], inverse_unit, k - 1);
   const FT square_unit = unit * unit;
   return {{fitting.axes,
            {{fitting.variances[0] * square_unit, fitting.variances[1] * square_unit,

@@ -10,6 +10,7 @@
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/NT_converter.h>
 
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -28,15 +29,31 @@ const Exact_number& exact_value(const Lazy_exact_nt<Exact_number>& x)
   return x.exact();
 }
 
-/// NT_converter for coordinates that may be lazy: to_double() of a lazy number is good to five digits only as long as
-/// nobody has asked for its exact value.
+/// Numbers with a mantissa and an exponent, hardware types and multiprecision alike.
+template <class Number>
+constexpr bool is_floating_point()
+{
+  using Limits = std::numeric_limits<Number>;
+  return std::is_floating_point<Number>::value || (Limits::is_specialized && !Limits::is_exact && Limits::digits > 0);
+}
+
+/// NT_converter, and beyond it: lazy numbers are made exact before they are rounded, since their to_double() is good to
+/// five digits only as long as nobody has asked for the exact value; multiprecision floating point numbers, which
+/// NT_converter does not know, are rounded; a long double goes into an exact number without loss.
 template <class From, class To>
 struct Exact_first_converter
 {
-  To operator()(const From& x) const
+  To operator()(const From& from) const
   {
-    using Exact = std::decay_t<decltype(exact_value(x))>;
-    return NT_converter<Exact, To>()(exact_value(x));
+    const auto& x = exact_value(from);
+    using Exact = std::decay_t<decltype(x)>;
+    if constexpr (std::is_same<Exact, To>::value) return x;
+    else if constexpr (is_floating_point<Exact>() && std::is_constructible<To, Exact>::value) return static_cast<To>(x);
+    else if constexpr (std::is_same<Exact, long double>::value) {
+      const double leading = static_cast<double>(x);
+      return To(leading) + To(static_cast<double>(x - leading));
+    }
+    else return NT_converter<Exact, To>()(x);
   }
 };
 
@@ -45,7 +62,7 @@ template <class DataKernel, class LocalKernel>
 struct Exact_first_converters
 {
   using D2L_converter = Exact_first_converter<typename DataKernel::FT, typename LocalKernel::FT>;
-  using L2D_converter = NT_converter<typename LocalKernel::FT, typename DataKernel::FT>;
+  using L2D_converter = Exact_first_converter<typename LocalKernel::FT, typename DataKernel::FT>;
 };
 
 } // namespace internal

@@ -8,9 +8,11 @@
 #define CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 /// \file
 /// What a number type FT must offer to the steps: + - * / and unary -, construction from int and double,
@@ -80,6 +82,28 @@ template <class FT>
 typename Scalar<FT>::type epsilon()
 {
   return std::numeric_limits<typename Scalar<FT>::type>::epsilon();
+}
+
+/// The leading half of the digits of v, for |v| <= 1: products of two such parts, and sums of three products, are exact.
+/// For number types other than float, double and long double, v itself.
+template <class FT>
+FT leading_half(const FT& v)
+{
+  using Number = typename Scalar<FT>::type;
+  if constexpr (std::is_floating_point<Number>::value) {
+    constexpr int digits = std::numeric_limits<Number>::digits, kept = (digits - 1) / 2;
+    constexpr Number shift = Number(1.5) * Number(1ull << (digits - 1 - kept));
+    return FT(v + FT(shift)) - FT(shift);
+  }
+  else return v;
+}
+
+/// base * factor^times. Multiplied step by step: it overflows, or loses digits to underflow, only if the result does.
+template <class FT>
+FT multiplied(FT base, const FT& factor, std::size_t times)
+{
+  for (; times > 0; --times) base = base * factor;
+  return base;
 }
 
 /// A power of two p with p/2 <= x < p, or 1 where x is zero or not finite: scaling by it is exact.

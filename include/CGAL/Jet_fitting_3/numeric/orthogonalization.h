@@ -15,32 +15,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
 
-/// Makes `count` columns orthogonal to q, given 1 / (q . q); writes their components along q.
-/// Several columns at a time: q is read once for all, and their sums do not wait for each other.
-template <std::size_t count, class FT>
-void orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, FT* columns, FT* components)
-{
-  using Rows = Row_block<FT>;
-  typename Rows::type sum[count];
-  for (std::size_t c = 0; c < count; ++c) sum[c] = typename Rows::type(FT(0));
-  for (std::size_t i = 0; i < rows; i += Rows::size) {
-    const auto qi = Rows::load(q + i);
-    for (std::size_t c = 0; c < count; ++c) sum[c] = sum[c] + qi * Rows::load(columns + c * rows + i);
-  }
-  typename Rows::type component[count];
-  for (std::size_t c = 0; c < count; ++c) {
-    components[c] = Rows::sum(sum[c]) * inverse_square;
-    component[c] = typename Rows::type(components[c]);
-  }
-  for (std::size_t i = 0; i < rows; i += Rows::size) {
-    const auto qi = Rows::load(q + i);
-    for (std::size_t c = 0; c < count; ++c) {
-      FT* a = columns + c * rows + i;
-      Rows::store(Rows::load(a) - component[c] * qi, a);
-    }
-  }
-}
-
 template <class FT>
 FT square_norm(const FT* q, std::size_t rows)
 {
@@ -55,6 +29,54 @@ FT square_norm(const FT* q, std::size_t rows)
   }
   if (i < rows) sum = sum + Rows::load(q + i) * Rows::load(q + i);
   return Rows::sum(sum + other_sum);
+}
+
+/// Makes `count` columns orthogonal to q, given 1 / (q . q); writes their components along q. Several columns at a time:
+/// q is read once for all, and their sums do not wait for each other.
+/// \return the square norm of the first of them, the next q
+template <std::size_t count, class FT>
+FT orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, FT* columns, FT* components)
+{
+  using Rows = Row_block<FT>;
+  typename Rows::type sum[count];
+  for (std::size_t c = 0; c < count; ++c) sum[c] = typename Rows::type(FT(0));
+  for (std::size_t i = 0; i < rows; i += Rows::size) {
+    const auto qi = Rows::load(q + i);
+    for (std::size_t c = 0; c < count; ++c) sum[c] = sum[c] + qi * Rows::load(columns + c * rows + i);
+  }
+  typename Rows::type component[count], square(FT(0));
+  for (std::size_t c = 0; c < count; ++c) {
+    components[c] = Rows::sum(sum[c]) * inverse_square;
+    component[c] = typename Rows::type(components[c]);
+  }
+  for (std::size_t i = 0; i < rows; i += Rows::size) {
+    const auto qi = Rows::load(q + i);
+    for (std::size_t c = 0; c < count; ++c) {
+      FT* a = columns + c * rows + i;
+      const auto rest = Rows::load(a) - component[c] * qi;
+      Rows::store(rest, a);
+      if (c == 0) square = square + rest * rest;
+    }
+  }
+  return Rows::sum(square);
+}
+
+/// The same for any number of columns.
+template <class FT>
+FT orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, std::size_t count, FT* columns,
+                    FT* components)
+{
+  switch (count) {
+  case 1: return orthogonalize_to<1>(q, inverse_square, rows, columns, components);
+  case 2: return orthogonalize_to<2>(q, inverse_square, rows, columns, components);
+  case 3: return orthogonalize_to<3>(q, inverse_square, rows, columns, components);
+  case 4: return orthogonalize_to<4>(q, inverse_square, rows, columns, components);
+  case 5: return orthogonalize_to<5>(q, inverse_square, rows, columns, components);
+  default: break;
+  }
+  const FT square = orthogonalize_to<6>(q, inverse_square, rows, columns, components);
+  if (count > 6) orthogonalize_to(q, inverse_square, rows, count - 6, columns + 6 * rows, components + 6);
+  return square;
 }
 
 /// Least squares by modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the
@@ -73,31 +95,25 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
   solution.y.resize(columns);
   solution.rank = columns;
 
-  Buffer<FT, 48> square, component;
-  square.resize(columns);
+  Buffer<FT, 48> component;
   component.resize(columns + 1);
-  FT largest(0), smallest(0);
+  FT square = square_norm(system.column(0), rows);
+  FT largest = square, smallest = square;
   for (std::size_t k = 0; k < columns; ++k) {
-    const FT* q = system.column(k);
-    square[k] = square_norm(q, rows);
-    const FT inverse_square = FT(1) / square[k];
-    std::size_t j = k + 1;
-    for (; j + 3 <= columns; j += 4) // the last column is Z
-      orthogonalize_to<4>(q, inverse_square, rows, system.column(j), &component[j]);
-    for (; j <= columns; ++j) orthogonalize_to<1>(q, inverse_square, rows, system.column(j), &component[j]);
-
-    largest = k == 0 ? square[0] : larger(largest, square[k]);
-    smallest = k == 0 ? square[0] : select(square[k] < smallest, square[k], smallest);
-    const FT norm = square_root(square[k]);
+    largest = larger(largest, square);
+    smallest = select(square < smallest, square, smallest);
+    const FT norm = square_root(square);
+    square = orthogonalize_to(system.column(k), FT(FT(1) / square), rows, columns - k, system.column(k + 1),
+                              &component[k + 1]); // of the columns to the right and of Z
     solution.r(k, k) = norm;
-    for (j = k + 1; j < columns; ++j) solution.r(k, j) = norm * component[j];
+    for (std::size_t j = k + 1; j < columns; ++j) solution.r(k, j) = norm * component[j];
     solution.y[k] = norm * component[columns];
   }
   for (std::size_t k = columns; k-- > 0;) {
     solution.y[k] = solution.y[k] / solution.r(k, k);
     for (std::size_t i = 0; i < k; ++i) solution.y[i] = solution.y[i] - solution.r(i, k) * solution.y[k];
   }
-  solution.square_sum = square_norm(system.right_side(), rows);
+  solution.square_sum = square; // of what is left of Z, the residual
   solution.trusted = smallest > FT(doubt * doubt) * largest; // false for NaN
   return solution;
 }

@@ -63,18 +63,66 @@ struct Eigen_3
   std::array<Vector_3<FT>, 3> vectors;
 };
 
-/// Symmetric 3 x 3 matrix by cyclic Jacobi rotations: the vectors are orthonormal to rounding even where eigenvalues
-/// coincide, as they do for rings on a sphere, which closed formulas cannot offer.
 template <class FT>
-Eigen_3<FT> symmetric_eigen_3(FT xx, FT xy, FT xz, FT yy, FT yz, FT zz)
+struct Symmetric_3
 {
-  Vector_3<FT> u{FT(1), FT(0), FT(0)}, v{FT(0), FT(1), FT(0)}, w{FT(0), FT(0), FT(1)};
+  FT xx, xy, xz, yy, yz, zz;
 
-  const FT negligible = epsilon<FT>() * (absolute(xx) + absolute(yy) + absolute(zz));
+  friend Vector_3<FT> operator*(const Symmetric_3& a, const Vector_3<FT>& v)
+  {
+    return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+            a.xz * v.x + a.yz * v.y + a.zz * v.z};
+  }
+};
 
+/// An approximate unit eigenvector of the smallest eigenvalue of a positive semidefinite matrix: three steps of Newton's
+/// method from 0 towards the eigenvalue, and the longest cross product of two rows of a - eigenvalue. Some unit vector
+/// if that is zero.
+template <class FT>
+Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
+{
+  const FT trace = a.xx + a.yy + a.zz;
+  const FT minors = (a.xx * a.yy - a.xy * a.xy) + (a.xx * a.zz - a.xz * a.xz) + (a.yy * a.zz - a.yz * a.yz);
+  const FT determinant = a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) +
+                         a.xz * (a.xy * a.yz - a.yy * a.xz);
+  FT lambda(0);
+  for (int step = 0; step < 3; ++step)
+    lambda = lambda + (determinant - lambda * (minors - lambda * (trace - lambda))) /
+                          (minors - lambda * (FT(2) * trace - FT(3) * lambda));
+
+  const Vector_3<FT> rows[] = {{a.xx - lambda, a.xy, a.xz}, {a.xy, a.yy - lambda, a.yz}, {a.xz, a.yz, a.zz - lambda}};
+  Vector_3<FT> longest{FT(0), FT(0), FT(1)};
+  FT square(0);
+  for (int i = 0; i < 3; ++i) {
+    const Vector_3<FT> product = cross(rows[i], rows[(i + 1) % 3]);
+    const FT product_square = dot(product, product);
+    const auto is_longer = product_square > square;
+    longest = {select(is_longer, product.x, longest.x), select(is_longer, product.y, longest.y),
+               select(is_longer, product.z, longest.z)};
+    square = select(is_longer, product_square, square);
+  }
+  const FT length = select(square > FT(0), square_root(square), FT(1));
+  return FT(FT(1) / length) * longest;
+}
+
+/// Symmetric positive semidefinite 3 x 3 matrix by cyclic Jacobi rotations: the vectors are orthonormal to rounding even
+/// where eigenvalues coincide, as they do for rings on a sphere, which closed formulas cannot offer. One vector is
+/// guessed, which leaves few rotations to do; a bad guess costs some more.
+template <class FT>
+Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& a)
+{
+  // a basis around the guess (Duff et al. 2017)
+  Vector_3<FT> w = direction_of_least_eigenvalue(a);
+  const FT sign = select(w.z < FT(0), FT(-1), FT(1)), p = FT(-1) / (sign + w.z), q = w.x * w.y * p;
+  Vector_3<FT> u{FT(1) + sign * w.x * w.x * p, sign * q, -sign * w.x};
+  Vector_3<FT> v{q, sign + w.y * w.y * p, -w.y};
+  const Vector_3<FT> au = a * u, av = a * v, aw = a * w;
+  FT xx = dot(u, au), xy = dot(u, av), xz = dot(u, aw), yy = dot(v, av), yz = dot(v, aw), zz = dot(w, aw);
+
+  const FT negligible_angle = FT(4) * epsilon<FT>(), no_gap = FT(epsilon<FT>()) * (xx + yy + zz);
   // diagonalizes [[pp, pq], [pq, qq]]; r is the third axis
-  const auto rotate = [&negligible](FT& pp, FT& pq, FT& qq, FT& pr, FT& qr, Vector_3<FT>& p, Vector_3<FT>& q) {
-    if (!any(absolute(pq) > negligible)) return false;
+  const auto rotate = [&](FT& pp, FT& pq, FT& qq, FT& pr, FT& qr, Vector_3<FT>& p_axis, Vector_3<FT>& q_axis) {
+    if (!any(absolute(pq) > FT(negligible_angle * larger(absolute(FT(pp - qq)), no_gap)))) return false;
     const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
     const FT c = rotation.cosine, s = rotation.sine;
     pp = pp + rotation.tangent * pq;
@@ -83,13 +131,13 @@ Eigen_3<FT> symmetric_eigen_3(FT xx, FT xy, FT xz, FT yy, FT yz, FT zz)
     const FT pr_before = pr;
     pr = c * pr + s * qr;
     qr = c * qr - s * pr_before;
-    const Vector_3<FT> p_before = p;
-    p = c * p + s * q;
-    q = c * q - s * p_before;
+    const Vector_3<FT> p_before = p_axis;
+    p_axis = c * p_axis + s * q_axis;
+    q_axis = c * q_axis - s * p_before;
     return true;
   };
 
-  const int most_sweeps = 12; // convergence is quadratic: three or four sweeps in double precision
+  const int most_sweeps = 12; // convergence is quadratic: two or three sweeps in double precision
   bool rotated = true;
   for (int sweep = 0; sweep < most_sweeps && rotated; ++sweep) {
     rotated = rotate(xx, xy, yy, xz, yz, u, v);

@@ -34,22 +34,16 @@ struct Fitting_basis
   }
 };
 
-template <class FT>
-struct Symmetric_3
-{
-  FT xx, xy, xz, yy, yz, zz;
-};
-
 /// Weighted covariance of the samples about their centroid, divided by the sum of the weights.
 template <class FT>
-Symmetric_3<FT> covariance(const Samples<FT>& samples)
+numeric::Symmetric_3<FT> covariance(const Samples<FT>& samples)
 {
   Vector_3<FT> sum{FT(0), FT(0), FT(0)};
   for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * samples[i];
   const FT inverse_total = FT(1) / samples.total_weight();
   const Vector_3<FT> centroid = inverse_total * sum;
 
-  Symmetric_3<FT> s{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};
+  numeric::Symmetric_3<FT> s{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vector_3<FT> r = samples[i] - centroid, wr = samples.weight(i) * r;
     s = {s.xx + wr.x * r.x, s.xy + wr.x * r.y, s.xz + wr.x * r.z,
@@ -65,22 +59,19 @@ Symmetric_3<FT> covariance(const Samples<FT>& samples)
 template <class FT>
 Fitting_basis<FT> fitting_basis(const Samples<FT>& samples)
 {
-  const Symmetric_3<FT> s = covariance(samples);
-  const numeric::Eigen_3<FT> eigen = numeric::symmetric_eigen_3(s.xx, s.xy, s.xz, s.yy, s.yz, s.zz);
+  const numeric::Eigen_3<FT> eigen = numeric::symmetric_eigen_3(covariance(samples));
   const Vector_3<FT> x = direction_sign(eigen.vectors[0]) * eigen.vectors[0];
   const Vector_3<FT> z = direction_sign(eigen.vectors[2]) * eigen.vectors[2];
-  return {{x, cross(z, x), z}, eigen.values};
+  const auto variance = [&eigen](std::size_t i) { return numeric::larger(eigen.values[i], FT(0)); };
+  return {{x, cross(z, x), z}, {{variance(0), variance(1), variance(2)}}};
 }
 
 /// Step 1 with a coordinate system given by the user (section 5.1.1): no PCA.
 template <class FT>
 Fitting_basis<FT> fitting_basis(const Samples<FT>& samples, const Basis_3<FT>& given)
 {
-  const Symmetric_3<FT> s = covariance(samples);
-  const auto variance = [&s](const Vector_3<FT>& a) {
-    return FT(s.xx * a.x * a.x + s.yy * a.y * a.y + s.zz * a.z * a.z +
-              FT(2) * (s.xy * a.x * a.y + s.xz * a.x * a.z + s.yz * a.y * a.z));
-  };
+  const numeric::Symmetric_3<FT> s = covariance(samples);
+  const auto variance = [&s](const Vector_3<FT>& a) { return FT(numeric::larger(dot(a, s * a), FT(0))); };
   return {given, {{variance(given.x), variance(given.y), variance(given.z)}}};
 }
 

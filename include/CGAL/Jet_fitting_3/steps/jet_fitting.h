@@ -43,6 +43,30 @@ FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<F
   return numeric::square_root(FT(sum / samples.total_weight()));
 }
 
+/// r . axis, for |r| coordinates at most 1, with an error of a few units in the last place of the result. A height is a
+/// small difference of large products: r . axis as it stands leaves an error of the size of epsilon |r|, which the fit
+/// divides by |r|^2 to get a curvature.
+template <class FT>
+class Height_above_plane
+{
+public:
+  explicit Height_above_plane(const Vector_3<FT>& axis) : m_axis(axis), m_leading(leading_half(axis)) {}
+
+  FT operator()(const Vector_3<FT>& r) const
+  {
+    const Vector_3<FT> leading = leading_half(r);
+    return dot(leading, m_leading) + (dot(leading, m_axis - m_leading) + dot(r - leading, m_axis));
+  }
+
+private:
+  static Vector_3<FT> leading_half(const Vector_3<FT>& v)
+  {
+    return {numeric::leading_half(v.x), numeric::leading_half(v.y), numeric::leading_half(v.z)};
+  }
+
+  Vector_3<FT> m_axis, m_leading;
+};
+
 /// Change of coordinates P_{W -> F}, and the extents for the preconditioning. The paper takes one h for both axes, the
 /// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). Here it is the root mean square,
 /// and one for each axis, which keeps the condition number small on narrow strips. An axis 2^-40 times narrower than
@@ -60,10 +84,12 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   }
   const FT *x = samples.x(), *y = samples.y(), *z = samples.z();
   FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
+  const Height_above_plane<FT> height_above_plane(basis.z);
   for (std::size_t i = 0; i < n; ++i) {
-    u[i] = x[i] * basis.x.x + y[i] * basis.x.y + z[i] * basis.x.z;
-    v[i] = x[i] * basis.y.x + y[i] * basis.y.y + z[i] * basis.y.z;
-    height[i] = x[i] * basis.z.x + y[i] * basis.z.y + z[i] * basis.z.z;
+    const Vector_3<FT> r{x[i], y[i], z[i]};
+    u[i] = dot(r, basis.x);
+    v[i] = dot(r, basis.y);
+    height[i] = height_above_plane(r);
   }
   if (samples.is_weighted()) {
     h.root_weight.resize(padded);

@@ -12,6 +12,8 @@
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Jet_fitting {
 

@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_VALUES_JET_H
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cstddef>
 
@@ -50,9 +51,9 @@ template <class FT>
 Jet<FT> in_smaller_unit(Jet<FT> jet, const FT& factor)
 {
   const FT inverse = FT(1) / factor;
-  FT power = factor;
-  for (std::size_t k = 0; k <= jet.degree(); ++k, power = power * inverse)
-    for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] = jet.part(k)[i] * power;
+  jet(0, 0) = jet(0, 0) * factor;
+  for (std::size_t k = 2; k <= jet.degree(); ++k)
+    for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] = numeric::multiplied(jet.part(k)[i], inverse, k - 1);
   return jet;
 }
 
