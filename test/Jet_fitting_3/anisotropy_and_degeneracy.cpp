@@ -14,6 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 
+#include <algorithm>
 #include <array>
 
 using namespace test;
@@ -32,7 +33,7 @@ void strips()
 {
   for (const auto& surface : known_surfaces<Wide>()) {
     if (surface.umbilic) continue;
-    const double h = 0.1 * length_scale(surface.form);
+    const double h = 0.2 * length_scale(surface.form);
     for (double width : {0.1, 0.03})
       for (int across = 0; across < 2; ++across) {
         const Offsets strip = stretched(sunflower(30, h), across ? width : 1, across ? 1 : width);
@@ -133,8 +134,8 @@ void grid_of_three_rows()
   check_deficient(shared, 9, "tilted 5 x 3 grid, d = 3");
   const double by_slope = shared.jet()(0, 1), by_cube = shared.jet()(0, 3) * .25 * .25 / 6;
   check_near(by_slope + by_cube, .125, 1e-14, "5 x 3 grid: slope of the rows");
-  check_ge(by_slope, 0.01, "5 x 3 grid: part of A01");
-  check_ge(by_cube, 0.01, "5 x 3 grid: part of A03");
+  check_ge(by_slope, 0.001, "5 x 3 grid: part of A01");
+  check_ge(by_cube, 0.001, "5 x 3 grid: part of A03");
   check_le(shared.residual_rms(), 1e-15, "5 x 3 grid: residual");
 }
 
@@ -185,6 +186,32 @@ void report()
   }
 }
 
+// A noisy strip along the curved direction of a cylinder: the PCA takes the normal for a tangent, as its variances
+// show; heights measured along a normal that is known from elsewhere are right. Medians over draws of the noise.
+void noisy_strip_in_a_given_frame()
+{
+  std::mt19937 random(5);
+  std::vector<double> by_pca, in_frame;
+  for (int trial = 0; trial < 51; ++trial) {
+    std::vector<Kernel::Point_3> points;
+    for (const auto& o : sunflower(60, 1)) {
+      const double angle = 0.8 * o[0], noise = 1e-3 * (uniform(random) + uniform(random) + uniform(random) - 1.5) * 2;
+      points.emplace_back((1 + noise) * std::sin(angle), 0.02 * o[1], (1 + noise) * std::cos(angle) - 1);
+    }
+    const auto angle_of = [](const auto& estimate) {
+      return std::acos(std::min(1., std::abs(estimate.monge_form().normal_direction().z())));
+    };
+    const auto pca = Fit().estimate(points.begin(), points.end(), 4, 2);
+    by_pca.push_back(angle_of(pca));
+    in_frame.push_back(angle_of(Fit().estimate(points.begin(), points.end(), 4, 2, world_axes)));
+    check_le(pca.pca_basis(1).first / pca.pca_basis(0).first, 0.1, "noisy strip: the two largest variances differ");
+  }
+  std::nth_element(by_pca.begin(), by_pca.begin() + 25, by_pca.end());
+  std::nth_element(in_frame.begin(), in_frame.begin() + 25, in_frame.end());
+  check_ge(by_pca[25], 0.3, "noisy strip: normal by the PCA, radians");
+  check_le(in_frame[25], 0.06, "noisy strip: normal in the given frame, radians");
+}
+
 int main()
 {
   strips();
@@ -194,5 +221,6 @@ int main()
   duplicates();
   well_posed();
   report();
+  noisy_strip_in_a_given_frame();
   return result();
 }
