@@ -105,7 +105,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     static_assert(std::is_invocable<const Neighborhood&, Mesh_growth<Kernel>&, Index, std::vector<Index>&>::value,
                   "The neighbourhood is none of k_rings, enough_rings, nearest, within_radius, and cannot be called as "
                   "neighborhood(vertex_descriptor, std::vector<vertex_descriptor>&)");
-    const Compact_mesh compact = setting.compact();
+    const Compact_mesh compact = setting.compact(np);
     run([&] {
       return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(), setting.normals())](
                Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };

@@ -105,8 +105,8 @@ public:
     m_n = Vector_3(-m_n.x(), -m_n.y(), -m_n.z());
     std::swap(m_d1, m_d2);
     for (FT& coefficient : m_coefficients) coefficient = -coefficient;
-    for (std::size_t k = 2; k <= degree() && !m_coefficients.empty(); ++k)
-      std::reverse(m_coefficients.begin() + std::ptrdiff_t(k == 2 ? 0 : monge_offset(k)),
+    for (std::size_t k = 2; k <= degree(); ++k)
+      std::reverse(m_coefficients.begin() + std::ptrdiff_t(monge_offset(k)),
                    m_coefficients.begin() + std::ptrdiff_t(monge_offset(k + 1)));
     return true;
   }

@@ -60,6 +60,26 @@ Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::si
   return samples;
 }
 
+/// Writes the result of an estimation relative to p into a form, whose storage is used again.
+template <class DataKernel, class FT, class L2D_converter>
+void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typename DataKernel::Point_3& p,
+            const L2D_converter& to_data)
+{
+  using DFT = typename DataKernel::FT;
+  using Point_3 = typename DataKernel::Point_3;
+  const auto vector = [&to_data](const Vector_3<FT>& v) {
+    return typename DataKernel::Vector_3(DFT(to_data(v.x)), DFT(to_data(v.y)), DFT(to_data(v.z)));
+  };
+  form.origin() = Point_3(DFT(p.x() + DFT(to_data(e.origin.x))), DFT(p.y() + DFT(to_data(e.origin.y))),
+                          DFT(p.z() + DFT(to_data(e.origin.z))));
+  form.maximal_principal_direction() = vector(e.monge_axes.x);
+  form.minimal_principal_direction() = vector(e.monge_axes.y);
+  form.normal_direction() = vector(e.monge_axes.z);
+  form.coefficients().resize(e.coefficients.size());
+  for (std::size_t i = 0; i < e.coefficients.size(); ++i)
+    form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
+}
+
 /// A user's coordinate system as a basis for the fit, made orthonormal to rounding.
 /// \throw Invalid_input if it is not orthonormal and direct up to half the digits
 template <class FT>
@@ -193,17 +213,8 @@ private:
 
   static Monge_form form(const Estimation<FT>& e, const typename DataKernel::Point_3& p)
   {
-    using Data_point = typename DataKernel::Point_3;
-    using Data_vector = typename DataKernel::Vector_3;
-    const L2D to_data{};
-    const auto vector = [&to_data](const Local_vector& v) {
-      return Data_vector(DFT(to_data(v.x)), DFT(to_data(v.y)), DFT(to_data(v.z)));
-    };
-    Monge_form form(Data_point(DFT(p.x() + DFT(to_data(e.origin.x))), DFT(p.y() + DFT(to_data(e.origin.y))),
-                               DFT(p.z() + DFT(to_data(e.origin.z)))),
-                    vector(e.monge_axes.x), vector(e.monge_axes.y), vector(e.monge_axes.z));
-    form.coefficients().reserve(e.coefficients.size());
-    for (const FT& coefficient : e.coefficients) form.coefficients().push_back(DFT(to_data(coefficient)));
+    Monge_form form;
+    assign(form, e, p, L2D{});
     return form;
   }
 

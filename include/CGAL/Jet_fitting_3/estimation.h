@@ -41,34 +41,54 @@ struct Estimation
   }
 };
 
-/// The four steps of section 2.1.3 on samples relative to p. `fitting` makes the fitting basis from samples.
-/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business.
+/// The four steps of section 2.1.3, for samples whose coordinates are at most 1 (see unit_of_length()).
 template <class FT, class Make_fitting_basis, class Solver>
-Estimation<FT> estimate(Samples<FT> samples, std::size_t degree, std::size_t dprime,
-                        const Make_fitting_basis& make_fitting_basis, Solver& solver)
+Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, std::size_t dprime,
+                                const Make_fitting_basis& make_fitting_basis, Solver& solver)
 {
-  const FT unit = unit_of_length(samples), inverse_unit = FT(1) / unit;
-  samples.scale(inverse_unit);
-
-  const Fitting_basis<FT> fitting = make_fitting_basis(samples);
+  Fitting_basis<FT> fitting = make_fitting_basis(samples);
   Jet_fit<FT> fit = fit_jet(samples, fitting.axes, degree, solver);
   const Monge_basis<FT> monge = monge_basis(fit.jet, fitting.axes);
-  Monge_coefficients<FT> coefficients;
-  if (dprime >= 2) coefficients = monge_coefficients(fit.jet, monge, dprime);
+  Monge_coefficients<FT> coefficients = monge_coefficients(fit.jet, monge, dprime);
 
-  for (std::size_t k = 2; k <= dprime; ++k) // length^(1-k), back to the unit of the samples
-    for (std::size_t i = k == 2 ? 0 : monge_offset(k); i < monge_offset(k + 1); ++i)
-      coefficients[i] = numeric::multiplied(coefficients[i], inverse_unit, k - 1);
-  const FT square_unit = unit * unit;
-  return {{fitting.axes,
-           {{fitting.variances[0] * square_unit, fitting.variances[1] * square_unit,
-             fitting.variances[2] * square_unit}}},
-          in_smaller_unit(fit.jet, unit),
-          unit * (fit.jet(0, 0) * fitting.axes.z),
-          {fitting.axes.out(monge.axes.x), fitting.axes.out(monge.axes.y), fitting.axes.out(monge.axes.z)},
+  const Basis_3<FT>& axes = fitting.axes;
+  const Vector_3<FT> origin = fit.jet(0, 0) * axes.z;
+  const Basis_3<FT> monge_axes{axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)};
+  return {std::move(fitting),
+          std::move(fit.jet),
+          origin,
+          monge_axes,
           std::move(coefficients),
-          unit * numeric::square_root(FT(fit.solution.square_sum / samples.total_weight())),
+          numeric::square_root(FT(fit.solution.square_sum / samples.total_weight())),
           std::move(fit.solution)};
+}
+
+/// The same estimation where lengths are measured in a unit `factor` times smaller. For a power of two, exact.
+template <class FT>
+Estimation<FT> in_smaller_unit(Estimation<FT> e, std::size_t dprime, const FT& factor)
+{
+  const FT inverse = FT(1) / factor;
+  for (FT& variance : e.fitting.variances) variance = numeric::multiplied(variance, factor, 2);
+  e.fitting.centroid = factor * e.fitting.centroid;
+  e.jet = in_smaller_unit(std::move(e.jet), factor);
+  e.origin = factor * e.origin;
+  for (std::size_t k = 2; k <= dprime; ++k)
+    for (std::size_t i = monge_offset(k); i < monge_offset(k + 1); ++i)
+      e.coefficients[i] = numeric::multiplied(e.coefficients[i], inverse, k - 1);
+  e.residual_rms = factor * e.residual_rms;
+  return e;
+}
+
+/// The four steps on samples relative to p, which end up in another unit of length.
+/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business.
+/// \param make_fitting_basis makes the fitting basis from samples
+template <class FT, class Make_fitting_basis, class Solver>
+Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t dprime,
+                        const Make_fitting_basis& make_fitting_basis, Solver& solver)
+{
+  const FT unit = unit_of_length(samples);
+  samples.scale(FT(1) / unit);
+  return in_smaller_unit(estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver), dprime, unit);
 }
 
 } // namespace Jet_fitting

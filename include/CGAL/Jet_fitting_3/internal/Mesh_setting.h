@@ -42,14 +42,14 @@ public:
   using Numbering = Vertex_numbering<Mesh, Ids>;
 
   Mesh_setting(const Mesh& mesh, const NamedParameters& np)
-    : m_mesh(mesh), m_np(np), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np)))
+    : m_mesh(mesh), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np)))
   {
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                         get_const_property_map(vertex_point, mesh));
     m_points.reserve(size());
     for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
     m_points.measure();
-    m_normals = read_normals();
+    m_normals = read_normals(np);
   }
 
   std::size_t size() const { return number().size(); }
@@ -59,12 +59,12 @@ public:
   const Point_table<Kernel>& points() const { return m_points; }
 
   /// Vertices that are not finite have no neighbours, and are none.
-  Compact_mesh compact() const
+  Compact_mesh compact(const NamedParameters& np) const
   {
     Compact_mesh compact(m_mesh, number(),
                          [this](Index i, Index j) { return m_points.is_finite(i) && m_points.is_finite(j); });
     if constexpr (!Is_default<internal_np::edge_is_constrained_t>::value)
-      mark_sharp_edges(m_mesh, number(), parameters::get_parameter(m_np, internal_np::edge_is_constrained), m_points,
+      mark_sharp_edges(m_mesh, number(), parameters::get_parameter(np, internal_np::edge_is_constrained), m_points,
                        compact);
     return compact;
   }
@@ -75,12 +75,12 @@ public:
 private:
   const Numbering& number() const { return *m_number; }
 
-  Normal_table read_normals() const
+  Normal_table read_normals(const NamedParameters& np) const
   {
     if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
       return vertex_normals(m_mesh, number(), m_points);
     } else {
-      const auto normal_map = parameters::get_parameter(m_np, internal_np::vertex_normal_map);
+      const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
       Normal_table normals(size());
       for (Index i = 0; i < size(); ++i) normals.set(i, get(normal_map, item(i)));
       return normals;
@@ -88,7 +88,6 @@ private:
   }
 
   const Mesh& m_mesh;
-  const NamedParameters& m_np;
   std::shared_ptr<const Numbering> m_number;
   Point_table<Kernel> m_points;
   Normal_table m_normals;

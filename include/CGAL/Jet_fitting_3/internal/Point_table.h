@@ -45,8 +45,9 @@ public:
 
   Vector_3<double> offset(Index from, Index to) const
   {
-    const Vector_3<FT> d = m_points[to] - m_points[from];
-    return {double(d.x), double(d.y), double(d.z)};
+    const Vector_3<FT>&a = m_points[from], &b = m_points[to];
+    using Wider = std::conditional_t<std::is_same<FT, float>::value, double, FT>; // a difference of floats is exact in it
+    return {double(Wider(b.x) - a.x), double(Wider(b.y) - a.y), double(Wider(b.z) - a.z)};
   }
 
   /// Relative to a point that is the same for all.

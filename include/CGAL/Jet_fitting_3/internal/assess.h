@@ -11,15 +11,12 @@
 
 #include <CGAL/Jet_fitting_3/Estimation_status.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
-#include <CGAL/Jet_fitting_3/internal/Point_table.h>
-
-#include <cstddef>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// The flags that a full rank fit earns by itself; those of the support are assess_support()'s.
+/// The flags that a full rank fit earns.
 template <class FT>
 Estimation_status assess(const Estimation<FT>& e)
 {
@@ -36,22 +33,10 @@ Estimation_status assess(const Estimation<FT>& e)
     const FT open = FT(2) * e.residual_rms / square_size + FT(1e-6) * (numeric::absolute(k1) + numeric::absolute(k2));
     if (!(k1 - k2 > open)) status |= Status_flag::near_umbilic;
   }
+  const FT mean_over_rms(0.45), square_mean = dot(e.fitting.centroid, e.fitting.centroid);
+  const FT mean_square = variances[0] + variances[1] + variances[2] + square_mean;
+  if (square_mean > mean_over_rms * mean_over_rms * mean_square) status |= Status_flag::one_sided;
   return status;
-}
-
-template <class Kernel>
-Estimation_status assess_support(const Point_table<Kernel>& points, const Index* begin, const Index* end)
-{
-  Vector_3<double> sum{0, 0, 0};
-  double square_sum = 0;
-  for (const Index* i = begin; i != end; ++i) {
-    const Vector_3<double> r = points.offset_in_units(*begin, *i);
-    sum = sum + r;
-    square_sum += dot(r, r);
-  }
-  const double mean_over_rms = 0.45;
-  return dot(sum, sum) > mean_over_rms * mean_over_rms * double(end - begin) * square_sum
-           ? Estimation_status(Status_flag::one_sided) : Estimation_status();
 }
 
 } // namespace internal

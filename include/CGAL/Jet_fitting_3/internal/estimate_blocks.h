@@ -32,7 +32,7 @@ using Progress = std::function<bool(double)>;
 /// Gathers, fits, orients and stores block after block.
 ///
 /// \param make_gather() makes, for each thread, a function object: gather(i, row) appends the neighbourhood of i
-/// \param fit(block, fits), a Block_fitter
+/// \param fit(block, fits), a Block_fitter; each thread works with a copy
 /// \param orient(i, form)
 /// \param store(first, fits) is called by one thread at a time, but the blocks come in any order
 /// \param progress may be empty; called by one thread at a time. \return false if it cancelled
@@ -45,13 +45,13 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
   bool cancelled = false;
 
   const auto make_worker = [&] {
-    return [&, gather = make_gather(), block = Neighborhood_block(),
+    return [&, gather = make_gather(), fitter = fit, block = Neighborhood_block(),
             fits = std::vector<Fit<DataKernel>>()](std::size_t b) mutable {
       const std::size_t first = b * block_size, last = (std::min)(first + block_size, size);
       block.clear();
       for (std::size_t i = first; i < last; ++i)
         block.add_row([&](std::vector<Index>& row) { gather(static_cast<Index>(i), row); });
-      fit(block, fits);
+      fitter(block, fits);
       for (std::size_t i = first; i < last; ++i)
         if (fits[i - first].status.is_estimated()) orient(static_cast<Index>(i), fits[i - first].form);
 

@@ -14,12 +14,19 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/assess.h>
+#include <CGAL/Jet_fitting_3/numeric/Pack.h>
+#include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +54,7 @@ public:
   std::size_t size() const { return m_ends.size(); }
   const Index* begin(std::size_t row) const { return m_points.data() + (row == 0 ? 0 : m_ends[row - 1]); }
   const Index* end(std::size_t row) const { return m_points.data() + m_ends[row]; }
+  std::size_t length(std::size_t row) const { return std::size_t(end(row) - begin(row)); }
 
 private:
   std::vector<Index> m_points;
@@ -61,24 +69,123 @@ struct Fit
   Estimation_status status;
 };
 
-/// Fits a form to every row of a block. One object per thread.
+/// The rows of a block that can be fitted together, sorted by their lengths, so that the lanes of a pack hardly differ.
+class Rows_by_length
+{
+public:
+  template <class Is_eligible>
+  const std::vector<std::uint32_t>& sort(const Neighborhood_block& block, const Is_eligible& is_eligible)
+  {
+    m_starts.clear();
+    for (std::size_t row = 0; row < block.size(); ++row)
+      m_starts.resize((std::max)(m_starts.size(), block.length(row) + 2), 0);
+    for (std::size_t row = 0; row < block.size(); ++row)
+      if (is_eligible(row)) ++m_starts[block.length(row) + 1];
+    std::partial_sum(m_starts.begin(), m_starts.end(), m_starts.begin());
+    m_rows.resize(m_starts.empty() ? 0 : m_starts.back());
+    for (std::size_t row = 0; row < block.size(); ++row)
+      if (is_eligible(row)) m_rows[m_starts[block.length(row)]++] = static_cast<std::uint32_t>(row);
+    return m_rows;
+  }
+
+private:
+  std::vector<std::uint32_t> m_starts, m_rows;
+};
+
+/// One lane of an estimation in packs; without the factor R of the system.
+template <class FT, int lanes>
+Estimation<FT> lane(const Estimation<numeric::Pack<FT, lanes>>& e, int i)
+{
+  using Pack = numeric::Pack<FT, lanes>;
+  const auto vector = [i](const Vector_3<Pack>& v) { return Vector_3<FT>{v.x[i], v.y[i], v.z[i]}; };
+  const auto basis = [&vector](const Basis_3<Pack>& b) { return Basis_3<FT>{vector(b.x), vector(b.y), vector(b.z)}; };
+  Estimation<FT> result{{basis(e.fitting.axes),
+                         {{e.fitting.variances[0][i], e.fitting.variances[1][i], e.fitting.variances[2][i]}},
+                         vector(e.fitting.centroid)},
+                        Jet<FT>(e.jet.degree()),
+                        vector(e.origin),
+                        basis(e.monge_axes),
+                        {},
+                        e.residual_rms[i],
+                        {}};
+  for (std::size_t k = 0; k <= e.jet.degree(); ++k)
+    for (std::size_t j = 0; j <= k; ++j) result.jet.part(k)[j] = e.jet.part(k)[j][i];
+  result.coefficients.resize(e.coefficients.size());
+  for (std::size_t j = 0; j < e.coefficients.size(); ++j) result.coefficients[j] = e.coefficients[j][i];
+  result.solution.rank = e.solution.rank;
+  return result;
+}
+
+/// Fits a form to every row of a block. With the default solver it takes as many rows at a time as a register holds
+/// numbers; rows whose rank is in doubt are left to the scalar path. Each thread has a copy.
 template <class DataKernel, class LocalKernel, class SvdTraits>
 class Block_fitter
 {
   using Fitting = CGAL::Monge_via_jet_fitting<DataKernel, LocalKernel, SvdTraits>;
+  using FT = typename LocalKernel::FT;
+  static constexpr int lanes = numeric::native_lanes<FT>();
+  using Pack = numeric::Pack<FT, lanes>;
+  static constexpr bool fits_in_packs =
+    lanes > 1 && std::is_same<typename Solver_of<SvdTraits>::type, Orthogonal_solver<FT>>::value;
 
 public:
   Block_fitter(const Point_table<DataKernel>& points, std::size_t d, std::size_t dprime, const Options& options)
     : m_points(points), m_d(d), m_dprime(dprime), m_options(options)
   {}
 
-  void operator()(const Neighborhood_block& block, std::vector<Fit<DataKernel>>& fits) const
+  /// Storage of `fits` is used again.
+  void operator()(const Neighborhood_block& block, std::vector<Fit<DataKernel>>& fits)
   {
-    fits.clear();
-    for (std::size_t row = 0; row < block.size(); ++row) fits.push_back(fit(block.begin(row), block.end(row)));
+    fits.resize(block.size());
+    const auto is_for_packs = [&](std::size_t row) {
+      return fits_in_packs && block.length(row) >= number_of_jet_coefficients(m_d) &&
+             m_points.is_finite(*block.begin(row));
+    };
+    if constexpr (fits_in_packs) {
+      const std::vector<std::uint32_t>& rows = m_order.sort(block, is_for_packs);
+      for (std::size_t i = 0; i < rows.size(); i += lanes)
+        fit_pack(block, rows.data() + i, (std::min)(rows.size() - i, std::size_t(lanes)), fits);
+    }
+    for (std::size_t row = 0; row < block.size(); ++row)
+      if (!is_for_packs(row)) fits[row] = fit(block.begin(row), block.end(row));
   }
 
 private:
+  /// Fits up to `lanes` rows; lanes beyond repeat the last one.
+  void fit_pack(const Neighborhood_block& block, const std::uint32_t* rows, std::size_t count,
+                std::vector<Fit<DataKernel>>& fits)
+  {
+    std::array<std::uint32_t, std::size_t(lanes)> row;
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = rows[(std::min)(i, count - 1)];
+    const std::size_t longest = block.length(row.back());
+    m_samples.resize(longest, block.length(row.front()) < longest);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Index* points = block.begin(row[i]);
+      const std::size_t length = block.length(row[i]);
+      for (std::size_t s = 0; s < longest; ++s) { // where the row has ended, p itself with weight 0
+        const Vector_3<double> r = s < length ? m_points.offset(points[0], points[s]) : Vector_3<double>{0, 0, 0};
+        m_samples.set_lane(s, int(i), FT(r.x), FT(r.y), FT(r.z));
+        if (m_samples.is_weighted()) m_samples.set_weight_lane(s, int(i), s < length ? FT(1) : FT(0));
+      }
+    }
+
+    const auto pca = [](const Samples<Pack>& samples) { return fitting_basis(samples); };
+    const Estimation<Pack> estimation = estimate(std::move(m_samples), m_d, m_dprime, pca, m_solver);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Index* points = block.begin(row[i]);
+      if (!estimation.solution.trusted[int(i)]) fits[row[i]] = fit(points, block.end(row[i]));
+      else set(fits[row[i]], lane(estimation, int(i)), m_points[*points]);
+    }
+  }
+
+  void set(Fit<DataKernel>& fit, const Estimation<FT>& estimation, const typename DataKernel::Point_3& p) const
+  {
+    fit.status = assess(estimation);
+    if (fit.status.is_estimated())
+      assign(fit.form, estimation, p, typename Exact_first_converters<DataKernel, LocalKernel>::L2D_converter{});
+    else fit.form = {};
+  }
+
   Fit<DataKernel> fit(const Index* begin, const Index* end) const
   {
     if (!m_points.is_finite(*begin)) return {{}, Status_flag::not_finite};
@@ -101,22 +208,25 @@ private:
 
   Fit<DataKernel> fit(const Index* begin, const Index* end, std::size_t d) const
   {
+    Fit<DataKernel> result;
     try {
       const auto point = [this](Index i) { return m_points[i]; };
       const auto estimate = Fitting().estimate(boost::make_transform_iterator(begin, point),
                                                boost::make_transform_iterator(end, point), d, (std::min)(d, m_dprime));
-      if (estimate.status() == Fit_status::rank_deficient) return {{}, Status_flag::rank_deficient};
-      const Estimation_status quality = assess(estimate.details()) | assess_support(m_points, begin, end);
-      if (!quality.is_estimated()) return {{}, quality};
-      return {estimate.monge_form(), quality};
+      if (estimate.status() == Fit_status::rank_deficient) result.status = Status_flag::rank_deficient;
+      else set(result, estimate.details(), m_points[*begin]);
     } catch (const Invalid_input&) { // neighbours too far away for a double
-      return {{}, Status_flag::not_finite};
+      result.status = Status_flag::not_finite;
     }
+    return result;
   }
 
   const Point_table<DataKernel>& m_points;
   std::size_t m_d, m_dprime;
   Options m_options;
+  Rows_by_length m_order;
+  Samples<Pack> m_samples;
+  Abstaining_solver<Pack> m_solver;
 };
 
 } // namespace internal

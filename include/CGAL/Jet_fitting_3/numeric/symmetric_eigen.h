@@ -113,9 +113,9 @@ Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& a)
 {
   // a basis around the guess (Duff et al. 2017)
   Vector_3<FT> w = direction_of_least_eigenvalue(a);
-  const FT sign = select(w.z < FT(0), FT(-1), FT(1)), p = FT(-1) / (sign + w.z), q = w.x * w.y * p;
-  Vector_3<FT> u{FT(1) + sign * w.x * w.x * p, sign * q, -sign * w.x};
-  Vector_3<FT> v{q, sign + w.y * w.y * p, -w.y};
+  const FT sign = select(w.z < FT(0), FT(-1), FT(1)), factor = FT(-1) / (sign + w.z), product = w.x * w.y * factor;
+  Vector_3<FT> u{FT(1) + sign * w.x * w.x * factor, sign * product, -sign * w.x};
+  Vector_3<FT> v{product, sign + w.y * w.y * factor, -w.y};
   const Vector_3<FT> au = a * u, av = a * v, aw = a * w;
   FT xx = dot(u, au), xy = dot(u, av), xz = dot(u, aw), yy = dot(v, av), yz = dot(v, aw), zz = dot(w, aw);
 
@@ -145,12 +145,12 @@ Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& a)
     rotated = rotate(yy, yz, zz, xy, xz, v, w) || rotated;
   }
 
-  const auto order = [](FT& a, FT& b, Vector_3<FT>& p, Vector_3<FT>& q) {
-    const auto swapped = a < b;
-    const FT a_before = a;
+  const auto order = [](FT& first, FT& second, Vector_3<FT>& p, Vector_3<FT>& q) {
+    const auto swapped = first < second;
+    const FT first_before = first;
     const Vector_3<FT> p_before = p;
-    a = select(swapped, b, a);
-    b = select(swapped, a_before, b);
+    first = select(swapped, second, first);
+    second = select(swapped, first_before, second);
     p = {select(swapped, q.x, p.x), select(swapped, q.y, p.y), select(swapped, q.z, p.z)};
     q = {select(swapped, p_before.x, q.x), select(swapped, p_before.y, q.y), select(swapped, p_before.z, q.z)};
   };

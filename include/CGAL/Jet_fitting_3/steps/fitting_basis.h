@@ -18,12 +18,13 @@
 namespace CGAL {
 namespace Jet_fitting {
 
-/// The basis F in which the height function is fitted, and the variance of the samples along each of its axes.
+/// The basis F in which the height function is fitted, and how the samples are spread.
 template <class FT>
 struct Fitting_basis
 {
   Basis_3<FT> axes;            ///< in world coordinates
-  std::array<FT, 3> variances; ///< length^2; in descending order when the basis comes from the PCA
+  std::array<FT, 3> variances; ///< length^2, along the axes; in descending order when the basis comes from the PCA
+  Vector_3<FT> centroid;       ///< of the samples, relative to p, in world coordinates
 
   /// The variance along axis i (x, y, z for 0, 1, 2) and the axis, as a vector type with a constructor from coordinates.
   template <class Kernel_vector_3>
@@ -34,9 +35,16 @@ struct Fitting_basis
   }
 };
 
-/// Weighted covariance of the samples about their centroid, divided by the sum of the weights.
 template <class FT>
-numeric::Symmetric_3<FT> covariance(const Samples<FT>& samples)
+struct Moments
+{
+  Vector_3<FT> centroid;
+  numeric::Symmetric_3<FT> covariance;
+};
+
+/// Weighted centroid, and covariance about it, divided by the sum of the weights.
+template <class FT>
+Moments<FT> moments(const Samples<FT>& samples)
 {
   Vector_3<FT> sum{FT(0), FT(0), FT(0)};
   for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * samples[i];
@@ -49,8 +57,9 @@ numeric::Symmetric_3<FT> covariance(const Samples<FT>& samples)
     s = {s.xx + wr.x * r.x, s.xy + wr.x * r.y, s.xz + wr.x * r.z,
          s.yy + wr.y * r.y, s.yz + wr.y * r.z, s.zz + wr.z * r.z};
   }
-  return {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total,
-          s.yy * inverse_total, s.yz * inverse_total, s.zz * inverse_total};
+  return {centroid,
+          {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total,
+           s.yy * inverse_total, s.yz * inverse_total, s.zz * inverse_total}};
 }
 
 /// Step 1 (section 3.1): principal component analysis. The z axis, along which heights are measured, is the direction
@@ -59,20 +68,21 @@ numeric::Symmetric_3<FT> covariance(const Samples<FT>& samples)
 template <class FT>
 Fitting_basis<FT> fitting_basis(const Samples<FT>& samples)
 {
-  const numeric::Eigen_3<FT> eigen = numeric::symmetric_eigen_3(covariance(samples));
+  const Moments<FT> m = moments(samples);
+  const numeric::Eigen_3<FT> eigen = numeric::symmetric_eigen_3(m.covariance);
   const Vector_3<FT> x = direction_sign(eigen.vectors[0]) * eigen.vectors[0];
   const Vector_3<FT> z = direction_sign(eigen.vectors[2]) * eigen.vectors[2];
   const auto variance = [&eigen](std::size_t i) { return numeric::larger(eigen.values[i], FT(0)); };
-  return {{x, cross(z, x), z}, {{variance(0), variance(1), variance(2)}}};
+  return {{x, cross(z, x), z}, {{variance(0), variance(1), variance(2)}}, m.centroid};
 }
 
 /// Step 1 with a coordinate system given by the user (section 5.1.1): no PCA.
 template <class FT>
 Fitting_basis<FT> fitting_basis(const Samples<FT>& samples, const Basis_3<FT>& given)
 {
-  const numeric::Symmetric_3<FT> s = covariance(samples);
-  const auto variance = [&s](const Vector_3<FT>& a) { return FT(numeric::larger(dot(a, s * a), FT(0))); };
-  return {given, {{variance(given.x), variance(given.y), variance(given.z)}}};
+  const Moments<FT> m = moments(samples);
+  const auto variance = [&m](const Vector_3<FT>& a) { return FT(numeric::larger(dot(a, m.covariance * a), FT(0))); };
+  return {given, {{variance(given.x), variance(given.y), variance(given.z)}}, m.centroid};
 }
 
 } // namespace Jet_fitting

@@ -80,7 +80,7 @@ Power_series<FT> product(const Power_series<FT>& a, const Power_series<FT>& b, s
   return result;
 }
 
-/// Step 4 (section 3.4): the Monge coefficients of every order up to d' >= 2, at most the degree of the jet.
+/// Step 4 (section 3.4): the Monge coefficients of every order up to d', at most the degree of the jet; none for d' = 1.
 ///
 /// The point at (s, t) of heights_over_tangent_plane() has Monge coordinates z = F(s, t), (x, y) = (s, t) + z w with
 /// w = (d1_z, d2_z) / n_z, since the fitting z axis is d1_z d1 + d2_z d2 + n_z n. So f(x, y, g(x, y)) = 0 of
@@ -92,6 +92,10 @@ Power_series<FT> product(const Power_series<FT>& a, const Power_series<FT>& b, s
 template <class FT>
 Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<FT>& monge, std::size_t dprime)
 {
+  Monge_coefficients<FT> coefficients;
+  coefficients.resize(number_of_monge_coefficients(dprime));
+  if (dprime < 2) return coefficients;
+
   const FT wx = monge.axes.x.z / monge.axes.z.z, wy = monge.axes.y.z / monge.axes.z.z;
   const Power_series<FT> heights = heights_over_tangent_plane(jet, monge, dprime);
 
@@ -110,8 +114,6 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
     }
   }
 
-  Monge_coefficients<FT> coefficients;
-  coefficients.resize(number_of_monge_coefficients(dprime));
   coefficients[0] = monge.k1;
   coefficients[1] = monge.k2;
   const auto factorials = numeric::factorials<FT>(dprime);

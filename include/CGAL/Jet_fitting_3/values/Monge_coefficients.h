@@ -20,7 +20,7 @@ constexpr std::size_t number_of_monge_coefficients(std::size_t degree)
   return degree < 2 ? 0 : (degree + 1) * (degree + 2) / 2 - 4;
 }
 
-/// Where g_k0, ..., g_0k begin among k1, k2, b0..b3, c0..c4, ... for k >= 3.
+/// Where those of an order >= 2 begin among k1, k2, b0..b3, c0..c4, ...
 constexpr std::size_t monge_offset(std::size_t order) { return number_of_monge_coefficients(order - 1); }
 
 /// k1, k2, b0, b1, b2, b3, c0, ..., c4, then the 5th, 6th, ... order: the derivatives g_ij of the Monge form

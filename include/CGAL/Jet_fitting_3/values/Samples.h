@@ -54,6 +54,21 @@ public:
 
   void set_weight(std::size_t i, const FT& weight) { m_weights[i] = weight; }
 
+  /// The same for one lane, where FT is a Pack.
+  template <class Number>
+  void set_lane(std::size_t i, int lane, const Number& x, const Number& y, const Number& z)
+  {
+    m_x[i].set(lane, x);
+    m_y[i].set(lane, y);
+    m_z[i].set(lane, z);
+  }
+
+  template <class Number>
+  void set_weight_lane(std::size_t i, int lane, const Number& weight)
+  {
+    m_weights[i].set(lane, weight);
+  }
+
   const FT* x() const { return m_x.data(); }
   const FT* y() const { return m_y.data(); }
   const FT* z() const { return m_z.data(); }
