@@ -40,13 +40,10 @@ struct Line
 bool starts_number(const std::string& line, std::size_t i)
 {
   const auto at = [&](std::size_t j) { return static_cast<unsigned char>(j < line.size() ? line[j] : ' '); };
-  if (i > 0 && (std::isalnum(at(i - 1)) || at(i - 1) == '_' || at(i - 1) == '.'))
-    return false;
+  if (i > 0 && (std::isalnum(at(i - 1)) || at(i - 1) == '_' || at(i - 1) == '.')) return false;
   std::size_t j = i;
-  if (at(j) == '-' || at(j) == '+')
-    ++j;
-  if (at(j) == '.')
-    ++j;
+  if (at(j) == '-' || at(j) == '+') ++j;
+  if (at(j) == '.') ++j;
   return std::isdigit(at(j)) != 0;
 }
 
@@ -69,33 +66,23 @@ Line parse(const std::string& line)
 std::vector<Line> read(const char* name)
 {
   std::ifstream in(name);
-  if (!in)
-    throw std::runtime_error(std::string("cannot read ") + name);
+  if (!in) throw std::runtime_error(std::string("cannot read ") + name);
   std::vector<Line> lines;
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(parse(line));
-  if (lines.empty())
-    throw std::runtime_error(std::string("nothing in ") + name);
+  for (std::string line; std::getline(in, line);) lines.push_back(parse(line));
+  if (lines.empty()) throw std::runtime_error(std::string("nothing in ") + name);
   return lines;
 }
 
 double largest(const double* begin, std::size_t n)
 {
   double m = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    m = std::max(m, std::abs(begin[i]));
+  for (std::size_t i = 0; i < n; ++i) m = std::max(m, std::abs(begin[i]));
   return m;
 }
 
-double dot(const Vec& a, const Vec& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Vec times(double s, const Vec& a)
-{
-  return {s * a[0], s * a[1], s * a[2]};
-}
+Vec times(double s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
 
 Vec cross(const Vec& a, const Vec& b)
 {
@@ -110,8 +97,7 @@ Vec vec(const Numbers& numbers, std::size_t first = 0)
 void add_square(Tensor& sum, double weight, const Vec& v)
 {
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      sum[3 * i + j] += weight * v[i] * v[j];
+    for (std::size_t j = 0; j < 3; ++j) sum[3 * i + j] += weight * v[i] * v[j];
 }
 
 class Comparison
@@ -139,13 +125,14 @@ public:
   template <class Values>
   void numbers(std::size_t line, const char* what, const Values& a, const Values& b)
   {
-    numbers(line, what, a.data(), b.data(), a.size(), std::max(largest(a.data(), a.size()), largest(b.data(), b.size())));
+    numbers(line, what, a.data(), b.data(), a.size(),
+            std::max(largest(a.data(), a.size()), largest(b.data(), b.size())));
   }
 
   bool report() const
   {
-    std::printf("%zu numbers, largest deviation %.3g (tolerance %.3g), %zu failures\n", m_compared, m_worst, m_tolerance,
-                m_failures);
+    std::printf("%zu numbers, largest deviation %.3g (tolerance %.3g), %zu failures\n", m_compared, m_worst,
+                m_tolerance, m_failures);
     return m_failures == 0 && m_compared > 0;
   }
 
@@ -160,21 +147,18 @@ private:
 bool tells_cost(const std::string& text)
 {
   for (const char* word : {" sec", "Mb", "MiB"})
-    if (text.find(word) != std::string::npos)
-      return true;
+    if (text.find(word) != std::string::npos) return true;
   return false;
 }
 
 void compare_numbers(Comparison& comparison, std::size_t line, const Line& a, const Line& b)
 {
-  if (!tells_cost(a.text))
-    comparison.numbers(line, "number", a.numbers, b.numbers);
+  if (!tells_cost(a.text)) comparison.numbers(line, "number", a.numbers, b.numbers);
 }
 
 void compare_normals(Comparison& comparison, std::size_t line, const Line& a, const Line& b)
 {
-  if (a.numbers.size() != 6)
-    return compare_numbers(comparison, line, a, b);
+  if (a.numbers.size() != 6) return compare_numbers(comparison, line, a, b);
   const Vec n = vec(a.numbers, 3);
   const Vec m = vec(b.numbers, 3);
   comparison.numbers(line, "point", vec(a.numbers), vec(b.numbers));
@@ -228,8 +212,7 @@ struct Form
     const std::map<char, std::size_t> orders{{'k', 2}, {'b', 3}, {'c', 4}};
     for (const Line& line : lines) {
       const std::string label = line.text.substr(0, line.text.find(" :"));
-      if (const auto v = vectors.find(label); v != vectors.end())
-        *v->second = vec(line.numbers);
+      if (const auto v = vectors.find(label); v != vectors.end()) *v->second = vec(line.numbers);
       else if (const auto o = orders.find(label[0]); o != orders.end() && label.size() == 2)
         order[o->second].push_back(line.numbers.at(0));
     }
@@ -244,8 +227,7 @@ struct Form
     std::swap(d1, d2);
     for (Numbers& coefficients : order) {
       std::reverse(coefficients.begin(), coefficients.end());
-      for (double& c : coefficients)
-        c = -c;
+      for (double& c : coefficients) c = -c;
     }
   }
 
@@ -254,8 +236,7 @@ struct Form
   {
     d1 = times(-1, d1);
     d2 = times(-1, d2);
-    for (double& b : order[3])
-      b = -b;
+    for (double& b : order[3]) b = -b;
   }
 };
 
@@ -263,10 +244,8 @@ void compare_forms(Comparison& comparison, const std::vector<Line>& lines_a, con
 {
   const Form a(lines_a);
   Form b(lines_b);
-  if (dot(a.n, b.n) < 0)
-    b.turn_normal();
-  if (dot(a.d1, b.d1) < 0)
-    b.turn_directions();
+  if (dot(a.n, b.n) < 0) b.turn_normal();
+  if (dot(a.d1, b.d1) < 0) b.turn_directions();
   const double k = largest(a.order[2].data(), 2);
   comparison.numbers(0, "origin", a.origin.data(), b.origin.data(), 3, 1 / k);
   comparison.numbers(0, "n", a.n, b.n);
@@ -285,18 +264,17 @@ using Compare_line = void (*)(Comparison&, std::size_t, const Line&, const Line&
 
 bool compare(const std::string& kind, double tolerance, const std::vector<Line>& a, const std::vector<Line>& b)
 {
-  const std::map<std::string, Compare_line> by_line{
-    {"numbers", &compare_numbers}, {"normals", &compare_normals}, {"directions", &compare_directions}};
+  const std::map<std::string, Compare_line> by_line{{"numbers", &compare_numbers},
+                                                    {"normals", &compare_normals},
+                                                    {"directions", &compare_directions}};
   if (a.size() != b.size())
     throw std::runtime_error(std::to_string(a.size()) + " lines became " + std::to_string(b.size()));
   Comparison comparison(tolerance);
   for (std::size_t i = 0; i < a.size(); ++i) {
     comparison.texts(i, a[i].text, b[i].text);
-    if (kind != "form" && a[i].text == b[i].text)
-      by_line.at(kind)(comparison, i, a[i], b[i]);
+    if (kind != "form" && a[i].text == b[i].text) by_line.at(kind)(comparison, i, a[i], b[i]);
   }
-  if (kind == "form")
-    compare_forms(comparison, a, b);
+  if (kind == "form") compare_forms(comparison, a, b);
   return comparison.report();
 }
 

@@ -1,0 +1,82 @@
+#!/bin/sh
+# Compiles each header alone, and reads off the compiler's dependency lists what the headers include.
+# usage: header_hygiene.sh <root of the package> <scratch folder> <compiler> <version of CGAL or ""> <file of flags>
+#        the flags lead to CGAL, Eigen, LAPACKE, TBB, where they are found: lines "I <folder>" and "D <macro>"
+set -u
+LC_ALL=C
+export LC_ALL
+root=$1 scratch=$2 compiler=$3 cgal_version=$4 flags=$5
+set --
+while read -r kind value; do
+  case $kind$value in
+    I | D | I/usr/include | I/usr/include/*-linux-gnu) ;; # given by -isystem they would hide the C++ library
+    I*) set -- "$@" -isystem "$value" ;;
+    D*) set -- "$@" "-D$value" ;;
+  esac
+done < "$flags"
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$root/include" || exit 2
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+needs() {
+  case $1 in
+    CGAL/Lapack*) echo lapacke.h ;;
+    CGAL/*/internal/*|CGAL/*/neighborhoods/*|CGAL/*/ridges.h) echo CGAL/config.h ;;
+    CGAL/Jet_fitting_3/*) ;;
+    *) echo CGAL/config.h ;;
+  esac
+}
+
+exists() {
+  echo "#include <$1>" > "$scratch/exists.cpp"
+  shift
+  "$compiler" -std=c++17 "$@" -E "$scratch/exists.cpp" > /dev/null 2>&1
+}
+
+warnings="-Wall -Wextra -Wshadow -Wconversion -Werror"
+# One translation unit for each header, two at a time.
+for header in $(find CGAL -name '*.h' | sort); do
+  needed=$(needs "$header")
+  if [ -n "$needed" ] && ! exists "$needed" "$@"; then
+    echo "$header is left out: there is no $needed"
+    continue
+  fi
+  unit=$scratch/$(echo "$header" | tr '/' '.')
+  printf '#include <%s>\n#include <%s>\n' "$header" "$header" > "$unit.cpp"
+  echo "$unit"
+done > "$scratch/units"
+xargs -P 2 -I '{}' "$compiler" -std=c++17 -fsyntax-only $warnings -I. "$@" -MD -MF '{}.d' '{}.cpp' < "$scratch/units" ||
+  fail "a header does not compile alone, or with a warning"
+
+# Door (b), without any folder but our own: all it includes lies in CGAL/Jet_fitting_3/.
+door=CGAL/Jet_fitting_3/Monge_via_jet_fitting.h
+echo "#include <$door>" > "$scratch/door_b.cpp"
+if "$compiler" -std=c++17 -I"$root/include" -M -MF "$scratch/door_b.d" "$scratch/door_b.cpp"; then
+  foreign=$(tr ' \\' '\n\n' < "$scratch/door_b.d" | grep '/CGAL/' | grep -v "^$root/include/CGAL/Jet_fitting_3/")
+  [ -z "$foreign" ] || fail "$door includes headers of CGAL: $foreign"
+  grep -q "$door" "$scratch/door_b.d" || fail "the dependency list of $door is empty"
+else
+  fail "$door does not compile alone"
+fi
+
+# CGAL's headers name their package in the $URL$ line. As in CGAL, a package depends on all packages that a header of
+# its own reaches; the list in package_info is that of CGAL 5.5.
+case $cgal_version in
+  5.5.*)
+    cat "$scratch"/*.d | tr ' \\' '\n\n' | grep '/CGAL/' | grep -v "^\./\|^CGAL/\|^$root/" | sort -u |
+      xargs sed -n 's|.*\$URL: .*/blob/[^/]*/\([^/]*\)/include/.*|\1|p' | sort -u | grep -vx Jet_fitting_3 \
+      > "$scratch/dependencies"
+    diff "$root/package_info/Jet_fitting_3/dependencies" "$scratch/dependencies" ||
+      fail "package_info/Jet_fitting_3/dependencies (<) is not what the headers include (>)"
+    ;;
+  *) echo "package_info/dependencies is not compared: it is the list for CGAL 5.5, here is CGAL '$cgal_version'" ;;
+esac
+
+echo "header_hygiene: $(wc -l < "$scratch/units") headers, $failures failures"
+[ "$failures" -eq 0 ]

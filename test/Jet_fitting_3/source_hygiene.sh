@@ -1,0 +1,96 @@
+#!/bin/sh
+# What CGAL's conventions and the architecture ask of the sources, as far as it can be read off their text.
+# usage: source_hygiene.sh <root of the package>
+set -u
+LC_ALL=C
+export LC_ALL
+cd "$1" || exit 2
+broken=$(mktemp)
+trap 'rm -f "$broken"' EXIT
+
+# Reports the lines of standard input, each one finding of the rule that is named.
+findings() {
+  found=$(cat)
+  if [ -n "$found" ]; then
+    echo "FAILED $1:"
+    echo "$found"
+    echo "$1" >> "$broken"
+  fi
+}
+
+folders=$(ls -d include test examples benchmark doc cmake scripts .ci 2> /dev/null)
+# shellcheck disable=SC2086
+texts=$(find $folders CMakeLists.txt -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.cmake' -o -name '*.in' -o \
+  -name 'CMakeLists.txt' -o -name '*.sh' -o -path 'doc/*.txt' -o -path '.ci/*' \))
+# shellcheck disable=SC2086
+code=$(find $folders -type f \( -name '*.h' -o -name '*.cpp' \) ! -path 'doc/*')
+headers=$(find include -type f -name '*.h')
+tab=$(printf '\t')
+
+# shellcheck disable=SC2086
+grep -nI "[^ -~$tab]" $texts | findings "only ASCII"
+# shellcheck disable=SC2086
+grep -n "$tab" $texts | findings "no tabs"
+# shellcheck disable=SC2086
+grep -n ' $' $texts | findings "no trailing blanks"
+for file in $texts; do
+  [ -z "$(tail -c 1 "$file")" ] || echo "$file"
+done | findings "a newline at the end"
+find include -type f ! -name '*.h' | findings "include/ holds headers only"
+
+for file in $code; do
+  sed -n '1,5p' "$file" | grep -q '^// SPDX-License-Identifier: GPL-3.0-or-later$' || echo "$file"
+done | findings "SPDX line in the header block"
+
+for file in $headers; do
+  guard=$(echo "${file#include/}" | tr 'a-z/.' 'A-Z__')
+  grep -m 2 '^#' "$file" | tr '\n' ' ' | grep -q "^#ifndef $guard #define $guard $" || echo "$file: $guard"
+  tail -n 1 "$file" | grep -q "^#endif // $guard\$" || echo "$file: the last line does not close $guard"
+done | findings "include guards named after the path"
+
+# shellcheck disable=SC2086
+grep -nE '^using namespace|std::c(out|err)\b' $headers | findings "no using namespace and no output in headers"
+# shellcheck disable=SC2086
+grep -nE '^ *# *define ' $headers | grep -vE '# *define CGAL_' | findings "macros begin with CGAL_"
+
+# Dependencies point one way: numeric <- values <- steps <- estimation <- door (b) <- door (a). The first column is the
+# layer of the file, the second an include that it may not have.
+for file in $headers; do
+  sed -n "s|^ *# *include *[<\"]\([^>\"]*\)[>\"].*|$file \1|p" "$file"
+done | awk '
+  function layer(path) {
+    if (path !~ /^CGAL\//) return "other"
+    if (path !~ /^CGAL\/Jet_fitting_3\//) return ours[path] ? "door" : "CGAL"
+    sub(/^CGAL\/Jet_fitting_3\//, "", path)
+    if (path ~ /^(internal|neighborhoods)\// || path == "ridges.h") return "CGAL side"
+    if (path ~ /\//) { sub(/\/.*/, "", path); return path }
+    return path == "estimation.h" ? "estimation" : "class"
+  }
+  BEGIN {
+    may["numeric"] = "numeric"
+    may["values"] = "values numeric"
+    may["steps"] = "steps values numeric"
+    may["solvers"] = "solvers values numeric"
+    may["estimation"] = "steps values numeric"
+    may["class"] = "class estimation solvers steps values numeric"
+    may["CGAL side"] = "*"
+    may["door"] = "*"
+  }
+  { file[NR] = $1; included[NR] = $2; sub(/^include\//, "", $1); from[NR] = $1; ours[$1] = 1 }
+  END {
+    for (i = 1; i <= NR; ++i) {
+      a = layer(from[i]); b = layer(included[i])
+      if (b != "other" && may[a] != "*" && index(" " may[a] " ", " " b " ") == 0)
+        print file[i] " (" a ") includes " included[i] " (" b ")"
+    }
+  }' | findings "the direction of includes"
+
+for file in copyright dependencies description.txt license.txt long_description.txt maintainer; do
+  [ -s "package_info/Jet_fitting_3/$file" ] || echo "package_info/Jet_fitting_3/$file"
+done | findings "package_info is complete"
+sort -c package_info/Jet_fitting_3/dependencies 2>&1 | findings "package_info/dependencies is sorted"
+
+sh scripts/format.sh --check | findings "clang-format changes nothing"
+
+echo "source_hygiene: $(echo "$texts" | wc -l) files, $(wc -l < "$broken") rules broken"
+[ ! -s "$broken" ]
