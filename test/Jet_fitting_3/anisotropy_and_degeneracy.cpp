@@ -33,7 +33,7 @@ void strips()
 {
   for (const auto& surface : known_surfaces<Wide>()) {
     if (surface.umbilic) continue;
-    const double h = 0.2 * length_scale(surface.form);
+    const double h = 0.1 * length_scale(surface.form);
     for (double width : {0.1, 0.03})
       for (int across = 0; across < 2; ++across) {
         const Offsets strip = stretched(sunflower(30, h), across ? width : 1, across ? 1 : width);
@@ -45,7 +45,7 @@ void strips()
         check_le(estimate.condition_number(), 1e3, what + " condition number");
         check_equal(estimate.rank(), 15u, what + " rank");
         check_le(e.relative(2), 3e-12, what + " k");
-        check_le(e.relative(3), 1e-9, what + " b");
+        if (!nearly_vanishes(surface.form, 3)) check_le(e.relative(3), 1e-9, what + " b");
       }
   }
 }

@@ -19,14 +19,6 @@ using namespace test;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Fit = CGAL::Monge_via_jet_fitting<Kernel, CGAL::Simple_cartesian<double>, CGAL::Eigen_svd>;
 
-// A surface is nearly symmetric where an order is far below the size k! / (2 rho^(k-1)) that its length scale rho lets
-// it have; an error divided by such a rest says nothing about the method.
-bool nearly_vanishes(const Known_form<Wide>& form, int k)
-{
-  const double natural = factorial(k) / (2 * std::pow(length_scale(form), k - 1));
-  return errors(form, form).size[k] < 0.04 * natural;
-}
-
 struct Bounds {
   double h, normal, k, b, c;
 };

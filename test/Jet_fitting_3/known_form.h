@@ -162,6 +162,15 @@ double length_scale(const Known_form<Real>& form)
   return rho;
 }
 
+// A surface is nearly symmetric where an order is far below the size k! / (2 rho^(k-1)) that its length scale rho lets
+// it have; an error divided by such a rest says nothing about the method.
+template <class Real>
+bool nearly_vanishes(const Known_form<Real>& form, int k)
+{
+  const double natural = factorial(k) / (2 * std::pow(length_scale(form), k - 1));
+  return errors(form, form).size[k] < 0.04 * natural;
+}
+
 } // namespace test
 
 #endif // CGAL_TEST_JET_FITTING_3_KNOWN_FORM_H
