@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <new>
@@ -46,8 +48,8 @@ void* operator new(std::size_t size)
   throw std::bad_alloc();
 }
 
-// Not inline: g++ takes the free() inside for a mistake where it sees the new.
-void release(void* memory) noexcept;
+// Called through a pointer: g++ takes a free() for a mistake where it sees the new.
+void (*volatile release)(void*) = std::free;
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 
@@ -270,6 +272,63 @@ void sharp_edges()
   check_ge(crossing, std::size_t(100), "neighbourhoods that cross the edges where these are not constrained");
 }
 
+// The smooth patches that meet at each vertex: faces connected by edges with a dihedral angle of less than 30 degrees.
+std::vector<std::set<int>> patches_of_vertices(const Mesh& mesh, const Mesh::Property_map<Mesh::Edge_index, bool>& is_sharp)
+{
+  std::vector<std::set<int>> patches(mesh.num_vertices());
+  std::vector<int> patch(mesh.num_faces(), -1);
+  int patches_so_far = 0;
+  for (Mesh::Face_index seed : mesh.faces()) {
+    if (patch[seed] != -1) continue;
+    std::vector<Mesh::Face_index> queue{seed};
+    patch[seed] = patches_so_far;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(queue[i]), mesh)) {
+        patches[mesh.target(h)].insert(patches_so_far);
+        const Mesh::Halfedge_index o = mesh.opposite(h);
+        if (is_sharp[mesh.edge(h)] || mesh.is_border(o) || patch[mesh.face(o)] != -1) continue;
+        patch[mesh.face(o)] = patches_so_far;
+        queue.push_back(mesh.face(o));
+      }
+    ++patches_so_far;
+  }
+  return patches;
+}
+
+void fandisk()
+{
+  Mesh mesh;
+  std::ifstream file(CGAL::data_file_path("meshes/fandisk.off"));
+  check_true(bool(file >> mesh) && mesh.num_vertices() == 6475, "CGAL's data file fandisk.off is read");
+  auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  for (Mesh::Edge_index e : mesh.edges()) {
+    const Kernel::Vector_3 n = normal(mesh, mesh.halfedge(e, 0)), m = normal(mesh, mesh.halfedge(e, 1));
+    is_sharp[e] = n * m < std::cos(std::acos(-1.) / 6) * std::sqrt(n * n) * std::sqrt(m * m);
+  }
+  const auto patches = patches_of_vertices(mesh, is_sharp);
+  const auto np = CGAL::parameters::edge_is_constrained_map(is_sharp);
+  Vertex_gatherer<Mesh, std::decay_t<decltype(np)>> gather(mesh, np);
+  Vertex_gatherer<Mesh> gather_all(mesh);
+
+  const auto share_a_patch = [&](const Vertices& found) {
+    std::set<int> common = patches[found.front()];
+    for (Vertex w : found) {
+      std::set<int> both;
+      std::set_intersection(common.begin(), common.end(), patches[w].begin(), patches[w].end(),
+                            std::inserter(both, both.end()));
+      common = both;
+    }
+    return !common.empty();
+  };
+  std::size_t crossing = 0;
+  for (Vertex v : mesh.vertices()) {
+    for (const Vertices& found : {gathered(gather, k_rings(3), v), gathered(gather, nearest(20), v)})
+      check_true(share_a_patch(found), "fandisk: the neighbourhood of vertex " + text(v) + " is on one smooth patch");
+    crossing += !share_a_patch(gathered(gather_all, k_rings(3), v));
+  }
+  check_ge(crossing, std::size_t(500), "fandisk: neighbourhoods that cross sharp edges where these are not constrained");
+}
+
 // A sharp line that ends inside the surface: growth goes around its end, and a vertex at the end has all neighbours.
 void open_sharp_line()
 {
@@ -360,6 +419,7 @@ int main()
   scales();
   thin_slab();
   sharp_edges();
+  fandisk();
   open_sharp_line();
   odd_vertices();
   allocates_nothing();

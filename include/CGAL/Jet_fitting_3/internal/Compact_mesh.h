@@ -12,11 +12,10 @@
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,16 +23,12 @@ namespace Jet_fitting {
 namespace internal {
 
 /// The vertex-vertex adjacency of a mesh, by numbers, in compressed rows: about 28 bytes per vertex of a triangle mesh.
-/// A neighbour carries two flags that steer the growth of neighbourhoods (Mesh_growth.h).
+///
+/// Nodes 0, ..., n-1 are the n vertices. Where the mesh is cut along sharp edges (Sharp_edges.h), a vertex has a node
+/// for each side of the cut: itself for the widest one, copies numbered from n on for the others.
 class Compact_mesh
 {
 public:
-  /// Growth ends here: the neighbour lies on a sharp edge.
-  static constexpr Index is_sharp = 0x80000000;
-  /// In the row of a vertex on a sharp edge: the neighbour lies on another side than the one that is fitted.
-  static constexpr Index is_other_side = 0x40000000;
-  static constexpr Index number_mask = 0x3fffffff;
-
   struct Row
   {
     const Index* first;
@@ -43,43 +38,42 @@ public:
     std::size_t size() const { return std::size_t(last - first); }
   };
 
-  /// Edges for which keep(i, j) is false are left out.
-  template <class Mesh, class Numbering, class Keep>
-  Compact_mesh(const Mesh& mesh, const Numbering& number, Keep keep) : m_row_begins(number.size() + 2, 0)
+  /// \param owners the vertices whose copies are the nodes from n on
+  /// \param for_each_edge(visit) calls visit(i, j) for every pair of adjacent nodes, in the same order each time
+  template <class For_each_edge>
+  Compact_mesh(std::size_t vertices, std::vector<Index> owners, const For_each_edge& for_each_edge)
+    : m_vertices(vertices), m_owners(std::move(owners)), m_row_begins(vertices + m_owners.size() + 2, 0)
   {
-    if (num_edges(mesh) > (std::numeric_limits<Index>::max)() / 2)
-      throw Invalid_input("a mesh of " + std::to_string(num_edges(mesh)) + " edges is too large");
-    const auto for_each_edge = [&](auto visit) {
-      for (auto e : make_range(edges(mesh))) {
-        const Index i = number(source(e, mesh)), j = number(target(e, mesh));
-        if (i != j && keep(i, j)) visit(i, j);
-      }
-    };
     // The begin of row i is kept one place too far while the rows are filled, and ends up in its own.
-    for_each_edge([&](Index i, Index j) { ++m_row_begins[i + 2]; ++m_row_begins[j + 2]; });
+    std::size_t neighbors = 0;
+    for_each_edge([&](Index i, Index j) {
+      ++m_row_begins[i + 2];
+      ++m_row_begins[j + 2];
+      neighbors += 2;
+    });
+    if (neighbors > (std::numeric_limits<Index>::max)())
+      throw Invalid_input("a mesh of " + std::to_string(neighbors / 2) + " edges is too large");
     for (std::size_t i = 2; i < m_row_begins.size(); ++i) m_row_begins[i] += m_row_begins[i - 1];
-    m_neighbors.resize(m_row_begins.back());
+    m_neighbors.resize(neighbors);
     for_each_edge([&](Index i, Index j) {
       m_neighbors[m_row_begins[i + 1]++] = j;
       m_neighbors[m_row_begins[j + 1]++] = i;
     });
   }
 
-  std::size_t size() const { return m_row_begins.size() - 2; }
+  std::size_t number_of_nodes() const { return m_vertices + m_owners.size(); }
+  bool has_copies() const { return !m_owners.empty(); }
+  bool is_copy(Index node) const { return node >= m_vertices; }
+  Index vertex(Index node) const { return is_copy(node) ? m_owners[node - m_vertices] : node; }
 
-  Row operator[](Index i) const
+  Row operator[](Index node) const
   {
-    return {m_neighbors.data() + m_row_begins[i], m_neighbors.data() + m_row_begins[i + 1]};
-  }
-
-  /// Replaces every neighbour in row i, flags included, by change(neighbour).
-  template <class Change>
-  void change_row(Index i, Change change)
-  {
-    for (Index k = m_row_begins[i]; k < m_row_begins[i + 1]; ++k) m_neighbors[k] = change(m_neighbors[k]);
+    return {m_neighbors.data() + m_row_begins[node], m_neighbors.data() + m_row_begins[node + 1]};
   }
 
 private:
+  std::size_t m_vertices;
+  std::vector<Index> m_owners;
   std::vector<Index> m_row_begins;
   std::vector<Index> m_neighbors;
 };

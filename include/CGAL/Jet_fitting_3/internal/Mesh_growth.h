@@ -26,15 +26,14 @@ namespace internal {
 /// Grows neighbourhoods over the edges of a mesh. One object per thread: it owns the marks of visited vertices and the
 /// queue, which are reused, so that gathering allocates nothing once they have grown to their size.
 ///
-/// Every function appends the seed and then its neighbours, in the order in which they are reached. Growth ends at
-/// vertices on sharp edges, which are taken but not crossed; a seed that lies on a sharp edge itself grows into one of
-/// its sides only (mark_sharp_edges.h). By distance, growth also ends before vertices that face away from the seed.
+/// Every function appends the seed and then its neighbours, in the order in which they are reached. Growth by distance
+/// ends before vertices that face away from the seed.
 template <class Kernel>
 class Mesh_growth
 {
 public:
   Mesh_growth(const Compact_mesh& mesh, const Point_table<Kernel>& points, const Normal_table& normals)
-    : m_mesh(mesh), m_points(points), m_normals(normals), m_marks(mesh.size(), 0), m_queue(256)
+    : m_mesh(mesh), m_points(points), m_normals(normals), m_marks(mesh.number_of_nodes(), 0), m_queue(256)
   {}
 
   void k_rings(Index seed, std::size_t rings, std::vector<Index>& out)
@@ -59,8 +58,11 @@ public:
     start(seed);
     for (std::size_t i = 0; i < m_size; ++i) {
       const std::size_t begin = m_size;
-      take_new(row_beyond(i));
-      keep_from(begin, [&](Index j) { return (m_points.squared_distance_in_units(seed, j) <= r * r) & same_side(j); });
+      take_new(m_mesh[m_queue[i]]);
+      keep_from(begin, [&](Index node) {
+        const Index j = m_mesh.vertex(node);
+        return (m_points.squared_distance_in_units(seed, j) <= r * r) & same_side(j);
+      });
     }
     append_to(out);
   }
@@ -72,12 +74,12 @@ public:
     m_candidates.clear();
     for (std::size_t i = 0; m_size < points; ++i) {
       const std::size_t begin = m_size;
-      take_new(row_beyond(i));
-      keep_from(begin, same_side);
+      take_new(m_mesh[m_queue[i]]);
+      keep_from(begin, [&](Index node) { return same_side(m_mesh.vertex(node)); });
       for (std::size_t j = begin; j < m_size; ++j) add_candidate(seed, m_queue[j]);
       m_size = begin;
       if (m_candidates.empty()) break;
-      m_queue[m_size++] = m_candidates.back().vertex;
+      m_queue[m_size++] = m_candidates.back().node;
       m_candidates.pop_back();
     }
     append_to(out);
@@ -87,7 +89,7 @@ private:
   struct Candidate
   {
     double squared_distance;
-    Index vertex;
+    Index node;
   };
 
   void start(Index seed)
@@ -101,76 +103,80 @@ private:
     m_size = 1;
   }
 
-  /// The neighbours of the i-th vertex in the queue, none where growth ends there. The seed stands without its flag.
-  Compact_mesh::Row row_beyond(std::size_t i) const
+  /// Appends the nodes that are not marked yet, and marks them. Whether a node is new is a coin toss: without a branch
+  /// on it, rings take half the time.
+  void take_new(Compact_mesh::Row nodes)
   {
-    const Index vertex = m_queue[i];
-    if (vertex & Compact_mesh::is_sharp) return {nullptr, nullptr};
-    return m_mesh[vertex];
-  }
-
-  /// Appends the neighbours that are not marked yet, and marks them. Whether a neighbour is new is a coin toss: without
-  /// a branch on it, rings take half the time.
-  void take_new(Compact_mesh::Row neighbors)
-  {
-    if (m_queue.size() < m_size + neighbors.size() + 1) m_queue.resize(2 * m_queue.size() + neighbors.size());
+    if (m_queue.size() < m_size + nodes.size() + 1) m_queue.resize(2 * m_queue.size() + nodes.size());
     Index* const queue = m_queue.data();
     std::uint16_t* const marks = m_marks.data();
     const std::uint16_t epoch = m_epoch;
+    const std::size_t begin = m_size;
     std::size_t size = m_size;
-    for (const Index neighbor : neighbors) {
-      std::uint16_t& mark = marks[neighbor & Compact_mesh::number_mask];
-      queue[size] = neighbor;
-      size += (mark != epoch) & ((neighbor & Compact_mesh::is_other_side) == 0);
-      mark = epoch;
+    for (const Index node : nodes) {
+      queue[size] = node;
+      size += marks[node] != epoch;
+      marks[node] = epoch;
     }
     m_size = size;
+    if (m_mesh.has_copies()) keep_from(begin, [this](Index node) { return is_first_copy(node); });
   }
 
-  /// Takes all new neighbours of the vertices from place `inner` on, and returns the place where they begin.
+  /// Of a vertex that is reached on several sides of a cut, around its end, the first one stands for all.
+  bool is_first_copy(Index node)
+  {
+    if (!m_mesh.is_copy(node)) return true;
+    std::uint16_t& mark = m_marks[m_mesh.vertex(node)];
+    if (mark == m_epoch) return false;
+    mark = m_epoch;
+    return true;
+  }
+
+  /// Takes all new neighbours of the nodes from place `inner` on, and returns the place where they begin.
   std::size_t add_ring(std::size_t inner)
   {
     const std::size_t outer = m_size;
-    for (; inner < outer; ++inner) take_new(row_beyond(inner));
+    for (; inner < outer; ++inner) take_new(m_mesh[m_queue[inner]]);
     return outer;
   }
 
   template <class Keep>
-  void keep_from(std::size_t begin, Keep keep)
+  void keep_from(std::size_t begin, const Keep& keep)
   {
     Index* const queue = m_queue.data();
     std::size_t size = begin;
     for (std::size_t i = begin; i < m_size; ++i) {
-      const Index neighbor = queue[i];
-      queue[size] = neighbor;
-      size += keep(neighbor & Compact_mesh::number_mask);
+      const Index node = queue[i];
+      queue[size] = node;
+      size += keep(node);
     }
     m_size = size;
   }
 
   /// Keeps the candidates sorted, the nearest last. Of equally distant ones the one reached first comes out first.
-  void add_candidate(Index seed, Index neighbor)
+  void add_candidate(Index seed, Index node)
   {
-    const double distance = m_points.squared_distance_in_units(seed, neighbor & Compact_mesh::number_mask);
+    const double distance = m_points.squared_distance_in_units(seed, m_mesh.vertex(node));
     const auto is_farther = [](const Candidate& c, double d) { return c.squared_distance > d; };
     const auto place = std::lower_bound(m_candidates.begin(), m_candidates.end(), distance, is_farther);
-    m_candidates.insert(place, Candidate{distance, neighbor});
+    m_candidates.insert(place, Candidate{distance, node});
   }
 
   void append_to(std::vector<Index>& out) const
   {
-    const std::size_t begin = out.size();
-    out.resize(begin + m_size);
-    std::transform(m_queue.begin(), m_queue.begin() + m_size, out.begin() + begin,
-                   [](Index vertex) { return vertex & Compact_mesh::number_mask; });
+    const auto begin = m_queue.begin(), end = begin + std::ptrdiff_t(m_size);
+    const std::size_t old_size = out.size();
+    out.resize(old_size + m_size);
+    const auto to = out.begin() + std::ptrdiff_t(old_size);
+    if (m_mesh.has_copies()) std::transform(begin, end, to, [this](Index node) { return m_mesh.vertex(node); });
+    else std::copy(begin, end, to);
   }
 
   /// Of the seed and its neighbours together, because a single normal of a noisy mesh may point anywhere.
   Vector_3<float> normal_around(Index seed) const
   {
     Vector_3<float> sum = m_normals[seed];
-    for (const Index neighbor : m_mesh[seed])
-      if (!(neighbor & Compact_mesh::is_other_side)) sum = sum + m_normals[neighbor & Compact_mesh::number_mask];
+    for (const Index node : m_mesh[seed]) sum = sum + m_normals[m_mesh.vertex(node)];
     return sum;
   }
 

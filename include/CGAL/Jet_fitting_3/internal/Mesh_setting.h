@@ -12,8 +12,8 @@
 #include <CGAL/Jet_fitting_3/internal/Compact_mesh.h>
 #include <CGAL/Jet_fitting_3/internal/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
+#include <CGAL/Jet_fitting_3/internal/Sharp_edges.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
-#include <CGAL/Jet_fitting_3/internal/mark_sharp_edges.h>
 #include <CGAL/Jet_fitting_3/internal/vertex_normals.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,6 +23,7 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -58,21 +59,36 @@ public:
   std::shared_ptr<const Numbering> shared_number() const { return m_number; }
   const Point_table<Kernel>& points() const { return m_points; }
 
-  /// Vertices that are not finite have no neighbours, and are none.
+  /// The adjacency, without the edges to vertices that are not finite, and cut along the constrained edges.
   Compact_mesh compact(const NamedParameters& np) const
   {
-    Compact_mesh compact(m_mesh, number(),
-                         [this](Index i, Index j) { return m_points.is_finite(i) && m_points.is_finite(j); });
-    if constexpr (!Is_default<internal_np::edge_is_constrained_t>::value)
-      mark_sharp_edges(m_mesh, number(), parameters::get_parameter(np, internal_np::edge_is_constrained), m_points,
-                       compact);
-    return compact;
+    const auto compact = [this](const std::vector<Index>& owners, const auto& for_each_edge) {
+      return Compact_mesh(size(), owners, [&](const auto& visit) {
+        for_each_edge([&](Index i, Index j) {
+          if (is_finite(owners, i) && is_finite(owners, j)) visit(i, j);
+        });
+      });
+    };
+    if constexpr (Is_default<internal_np::edge_is_constrained_t>::value) {
+      return compact({}, [this](const auto& visit) {
+        for (auto e : make_range(edges(m_mesh))) visit(index(source(e, m_mesh)), index(target(e, m_mesh)));
+      });
+    } else {
+      const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
+      const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained, m_points);
+      return compact(cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); });
+    }
   }
 
   /// The normals of the mesh, or the given ones.
   const Normal_table& normals() const { return m_normals; }
 
 private:
+  bool is_finite(const std::vector<Index>& owners, Index node) const
+  {
+    return m_points.is_finite(node < size() ? node : owners[node - size()]);
+  }
+
   const Numbering& number() const { return *m_number; }
 
   Normal_table read_normals(const NamedParameters& np) const

@@ -32,7 +32,7 @@ using Index = std::uint32_t;
 
 constexpr Index no_index = 0xffffffff;
 
-/// Two bits of an Index are left to flags (Compact_mesh.h).
+/// Leaves numbers for copies of vertices on sharp edges (Compact_mesh.h).
 constexpr std::size_t most_vertices = std::size_t(1) << 30;
 
 struct No_ids {};
