@@ -77,11 +77,13 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
   const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { setting.normals().orient(form, i); };
 
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
+  std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
   std::map<std::size_t, Fits> waiting; // blocks that were finished before their turn
   std::size_t written = 0;
   const auto write = [&](const Fits& fits) {
     for (const Fit<Kernel>& f : fits) {
       *output++ = f.form;
+      if (!qualities.empty()) qualities[written] = f.quality;
       statuses[written++] = f.status;
     }
   };
@@ -110,7 +112,8 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
     const Search search(setting.points(), setting.normals());
     run([&] { return [&](Index seed, std::vector<Index>& row) { neighborhood(search, seed, row); }; });
   }
-  summary.set_statuses(std::move(statuses), [](std::size_t i) { return i; }, [](const std::size_t& i) { return i; });
+  summary.set_reports(std::move(statuses), std::move(qualities), [](std::size_t i) { return i; },
+                      [](const std::size_t& i) { return i; });
   return summary;
 }
 

@@ -87,10 +87,12 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   };
 
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
+  std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
   const auto store = [&](std::size_t first, const Fits& fits) {
     for (std::size_t i = 0; i < fits.size(); ++i) {
       put(vertex_form_map, setting.item(static_cast<Index>(first + i)), fits[i].form);
       statuses[first + i] = fits[i].status;
+      if (!qualities.empty()) qualities[first + i] = fits[i].quality;
     }
   };
 
@@ -111,8 +113,8 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
                Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
     });
   }
-  summary.set_statuses(std::move(statuses), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },
-                       [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
+  summary.set_reports(std::move(statuses), std::move(qualities), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },
+                      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
   return summary;
 }
 

@@ -36,7 +36,9 @@ enum class Status_flag : std::uint16_t
   near_umbilic = 128,
   /// The variance of the points across their plane is above a quarter of that along its narrower axis: the direction
   /// in which heights are measured may be far from the normal.
-  pca_ambiguous = 256
+  pca_ambiguous = 256,
+  /// A robust loss was asked for, and there are fewer than 5 N_d points: too few to tell outliers from the surface.
+  few_points_for_robust_loss = 512
 };
 
 /// A set of Status_flag.
@@ -76,7 +78,8 @@ inline std::ostream& operator<<(std::ostream& out, Estimation_status status)
     {Status_flag::not_finite, "not finite"}, {Status_flag::too_few_points, "too few points"},
     {Status_flag::rank_deficient, "rank deficient"}, {Status_flag::degree_lowered, "degree lowered"},
     {Status_flag::one_sided, "one-sided"}, {Status_flag::near_umbilic, "near umbilic"},
-    {Status_flag::pca_ambiguous, "pca ambiguous"}};
+    {Status_flag::pca_ambiguous, "pca ambiguous"},
+    {Status_flag::few_points_for_robust_loss, "few points for the robust loss"}};
   const char* separator = "";
   for (const auto& word : words) {
     if (!status.has(word.flag)) continue;

@@ -7,9 +7,8 @@
 #ifndef CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
 #define CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
 
-#include <CGAL/license/Jet_fitting_3.h>
-
 #include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/values/Standard_errors.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -20,6 +19,15 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+
+/// How well a form is determined: what Monge_estimate tells of a single fit.
+struct Fit_quality
+{
+  std::size_t number_of_points = 0;
+  double condition_number = 0;
+  double residual_rms = 0;                 ///< length
+  Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
+};
 
 /// What became of the vertices of a mesh, or of the points of a range, in one call.
 /// \tparam Item vertex_descriptor of the mesh, or std::size_t, the position in the range
@@ -65,12 +73,20 @@ public:
     return n;
   }
 
-  /// For the functions that estimate. item(i) and number_of(item) are inverse to each other.
+  /// Of one item that has been estimated, if the options asked for it; otherwise all zero.
+  Fit_quality quality(const Item& item) const
+  {
+    const std::size_t i = m_number_of ? m_number_of(item) : m_qualities.size();
+    return i < m_qualities.size() ? m_qualities[i] : Fit_quality();
+  }
+
+  /// For the functions that estimate. There may be no qualities. item(i) and number_of(item) are inverse to each other.
   template <class Item_of>
-  void set_statuses(std::vector<Estimation_status> statuses, const Item_of& item,
-                    std::function<std::size_t(const Item&)> number_of)
+  void set_reports(std::vector<Estimation_status> statuses, std::vector<Fit_quality> qualities, const Item_of& item,
+                   std::function<std::size_t(const Item&)> number_of)
   {
     m_statuses = std::move(statuses);
+    m_qualities = std::move(qualities);
     m_number_of = std::move(number_of);
     for (std::size_t i = 0; i < m_statuses.size(); ++i) {
       if (m_statuses[i].is_estimated()) ++estimated;
@@ -81,6 +97,7 @@ public:
 
 private:
   std::vector<Estimation_status> m_statuses;
+  std::vector<Fit_quality> m_qualities;
   std::function<std::size_t(const Item&)> m_number_of;
 };
 

@@ -9,9 +9,11 @@
 
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -41,6 +43,17 @@ inline void check_number_of_samples(std::size_t n, std::size_t d)
   if (n < number_of_jet_coefficients(d))
     throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " +
                         std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));
+}
+
+/// One weight for each of n points, finite and not negative. \throw Invalid_input otherwise
+inline void check_weights(const std::vector<double>& weights, std::size_t n)
+{
+  if (weights.size() != n)
+    throw Invalid_input("there are " + std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(weights[i] >= 0) || std::isinf(weights[i]))
+      throw Invalid_input("weight " + std::to_string(i) + " of " + std::to_string(n) +
+                          " must be finite and not negative: got " + std::to_string(weights[i]));
 }
 
 } // namespace Jet_fitting

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_MONGE_VIA_JET_FITTING_H
 #define CGAL_JET_FITTING_3_MONGE_VIA_JET_FITTING_H
 
+#include <CGAL/Jet_fitting_3/Fit_options.h>
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Monge_estimate.h>
 #include <CGAL/Jet_fitting_3/Monge_form.h>
@@ -21,6 +22,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -58,6 +60,16 @@ Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::si
     samples.set(i, r);
   }
   return samples;
+}
+
+/// \throw Invalid_input unless there are none, or one for each sample, all finite and not negative
+template <class FT>
+void set_point_weights(Samples<FT>& samples, const std::vector<double>& weights)
+{
+  if (weights.empty()) return;
+  check_weights(weights, samples.size());
+  samples.make_weighted();
+  for (std::size_t i = 0; i < samples.size(); ++i) samples.set_weight(i, FT(weights[i]));
 }
 
 /// Writes the result of an estimation relative to p into a form, whose storage is used again.
@@ -139,37 +151,40 @@ public:
   ///
   /// \param d degree of the fitted jet, at least 1
   /// \param dprime degree of the Monge form, 1 <= dprime <= d
+  /// \param options weights, robust loss, standard errors; by default plain least squares
   /// \pre N_d = (d+1)(d+2)/2 points or more, with finite coordinates. N_d points are interpolated, more are approximated.
   /// \throw Invalid_input if a precondition is broken
   ///
   /// The degrees d and N govern the error: a quantity of order k is accurate to O(h^(d-k+1)), h being the extent of the
   /// samples (Theorem 2.1). The time is O(N N_d^2).
   template <class ForwardIterator>
-  Monge_form operator()(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime)
+  Monge_form operator()(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
+                        const Fit_options& options = default_options())
   {
-    return report(estimation(begin, end, d, dprime, pca), *begin);
+    return report(estimation(begin, end, d, dprime, pca, options), *begin);
   }
 
   /// The same in a given coordinate system, orthonormal and direct, heights along its third axis (section 5.1.1).
   template <class ForwardIterator>
   Monge_form operator()(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
-                        const Given_basis& basis)
+                        const Given_basis& basis, const Fit_options& options = default_options())
   {
-    return report(estimation(begin, end, d, dprime, in_given(basis)), *begin);
+    return report(estimation(begin, end, d, dprime, in_given(basis), options), *begin);
   }
 
   /// What operator() returns and all that is known about the fit, as one value.
   template <class ForwardIterator>
-  Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime) const
+  Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
+                    const Fit_options& options = default_options()) const
   {
-    return with_form(estimation(begin, end, d, dprime, pca), *begin);
+    return with_form(estimation(begin, end, d, dprime, pca, options), *begin);
   }
 
   template <class ForwardIterator>
   Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
-                    const Given_basis& basis) const
+                    const Given_basis& basis, const Fit_options& options = default_options()) const
   {
-    return with_form(estimation(begin, end, d, dprime, in_given(basis)), *begin);
+    return with_form(estimation(begin, end, d, dprime, in_given(basis), options), *begin);
   }
 
   /// Condition number of the last fit; see Monge_estimate. 0 before the first one.
@@ -187,6 +202,12 @@ private:
   using D2L = typename KernelConverters::D2L_converter;
   using L2D = typename KernelConverters::L2D_converter;
 
+  static const Fit_options& default_options()
+  {
+    static const Fit_options options;
+    return options;
+  }
+
   static Fitting_basis<FT> pca(const Samples<FT>& samples) { return fitting_basis(samples); }
 
   static auto in_given(const Given_basis& basis)
@@ -201,14 +222,16 @@ private:
 
   template <class ForwardIterator, class Make_fitting_basis>
   static Estimation<FT> estimation(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
-                                   const Make_fitting_basis& make_fitting_basis)
+                                   const Make_fitting_basis& make_fitting_basis, const Fit_options& options)
   {
     const std::size_t size = std::size_t(std::distance(begin, end));
     check_degrees(d, dprime);
     check_number_of_samples(size, d);
     const typename DataKernel::Point_3 p = *begin;
+    Samples<FT> samples = samples_relative_to<D2L, FT>(p, begin, size);
+    set_point_weights(samples, options.point_weights);
     typename Solver_of<SvdTraits>::type solver;
-    return Jet_fitting::estimate(samples_relative_to<D2L, FT>(p, begin, size), d, dprime, make_fitting_basis, solver);
+    return Jet_fitting::estimate(std::move(samples), d, dprime, make_fitting_basis, solver, options);
   }
 
   static Monge_form form(const Estimation<FT>& e, const typename DataKernel::Point_3& p)

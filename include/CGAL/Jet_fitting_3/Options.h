@@ -7,15 +7,20 @@
 #ifndef CGAL_JET_FITTING_3_OPTIONS_H
 #define CGAL_JET_FITTING_3_OPTIONS_H
 
+#include <CGAL/Jet_fitting_3/Fit_options.h>
+
 namespace CGAL {
 namespace Jet_fitting {
 
 /// What estimate_vertex_monge_forms() and estimate_point_monge_forms() can do beyond CGAL's named parameters.
-struct Options
+struct Options : Fit_options
 {
   /// Where the points are too few or do not determine a jet of the degree that was asked for, take the largest degree
   /// for which they do, and a Monge form of that degree at most; otherwise such a vertex or point is skipped.
   bool lower_degree = false;
+
+  /// Keep the quality of every fit in the summary: see Fit_quality. Standard errors are kept whenever they are asked for.
+  bool report_quality = false;
 };
 
 } // namespace Jet_fitting

@@ -7,11 +7,15 @@
 #ifndef CGAL_JET_FITTING_3_ESTIMATION_H
 #define CGAL_JET_FITTING_3_ESTIMATION_H
 
+#include <CGAL/Jet_fitting_3/Fit_options.h>
 #include <CGAL/Jet_fitting_3/numeric/condition_number.h>
+#include <CGAL/Jet_fitting_3/steps/distance_weights.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
+#include <CGAL/Jet_fitting_3/steps/robust_fitting.h>
+#include <CGAL/Jet_fitting_3/steps/standard_errors.h>
 
 #include <cstddef>
 #include <utility>
@@ -31,64 +35,107 @@ struct Estimation
   FT residual_rms;                        ///< root of the weighted mean of the squared residuals
   numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system, in the unit of the computation
 
+  numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample, near 0 for outliers; otherwise none
+  Standard_errors<FT> standard_errors;          ///< if asked for
+
   std::size_t rank() const { return solution.rank; }
 
   /// Ratio of the extreme singular values of the preconditioned system; infinite where the smallest is zero.
   /// Computed here unless the solver has found it already.
   FT condition_number() const
   {
-    return solution.r.size() > 0 ? numeric::condition_number(solution.r) : solution.condition_number;
+    return solution.condition_number > FT(0) ? solution.condition_number : numeric::condition_number(solution.r);
   }
 };
+
+/// Sums over the samples, of their weights times the robust ones if there are any.
+template <class FT>
+struct Weight_sums
+{
+  FT weights, number_of_samples; ///< samples of weight 0 do not count
+};
+
+template <class FT>
+Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT, 128>& robust_weights)
+{
+  if (!samples.is_weighted() && robust_weights.empty()) return {samples.total_weight(), samples.total_weight()};
+  Weight_sums<FT> sums{FT(0), FT(0)};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const FT robust = robust_weights.empty() ? FT(1) : robust_weights[i];
+    sums.weights = sums.weights + samples.weight(i) * robust;
+    sums.number_of_samples =
+        sums.number_of_samples + numeric::select(samples.weight(i) > FT(0), robust, FT(0));
+  }
+  return sums;
+}
 
 /// The four steps of section 2.1.3, for samples whose coordinates are at most 1 (see unit_of_length()).
 template <class FT, class Make_fitting_basis, class Solver>
 Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, std::size_t dprime,
-                                const Make_fitting_basis& make_fitting_basis, Solver& solver)
+                                const Make_fitting_basis& make_fitting_basis, Solver& solver,
+                                const Fit_options& options)
 {
-  Fitting_basis<FT> fitting = make_fitting_basis(samples);
-  Jet_fit<FT> fit = fit_jet(samples, fitting.axes, degree, solver);
-  const Monge_basis<FT> monge = monge_basis(fit.jet, fitting.axes);
+  const Fitting_basis<FT> fitting = make_fitting_basis(samples);
+  const Basis_3<FT>& axes = fitting.axes;
+  Jet_fit<FT> fit = options.loss == Loss::least_squares
+                        ? fit_jet(samples, axes, degree, solver)
+                        : fit_jet_robustly(samples, axes, degree, options.loss, solver);
+  const Monge_basis<FT> monge = monge_basis(fit.jet, axes);
   Monge_coefficients<FT> coefficients = monge_coefficients(fit.jet, monge, dprime);
 
-  const Basis_3<FT>& axes = fitting.axes;
+  const Weight_sums<FT> sums = weight_sums(samples, fit.robust_weights);
+  Standard_errors<FT> errors;
+  if (options.standard_errors) {
+    const FT freedom = sums.number_of_samples - FT(double(number_of_jet_coefficients(degree)));
+    errors = standard_errors(fit, axes, dprime, freedom);
+  }
   const Vector_3<FT> origin = fit.jet(0, 0) * axes.z;
-  const Basis_3<FT> monge_axes{axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)};
-  return {std::move(fitting),
+  return {fitting,
           std::move(fit.jet),
           origin,
-          monge_axes,
+          {axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)},
           std::move(coefficients),
-          numeric::square_root(FT(fit.solution.square_sum / samples.total_weight())),
-          std::move(fit.solution)};
+          numeric::square_root(FT(fit.solution.square_sum / sums.weights)),
+          std::move(fit.solution),
+          std::move(fit.robust_weights),
+          std::move(errors)};
+}
+
+/// Coefficients, or their errors, where lengths are measured in a unit smaller by the inverse of a power of two.
+template <class FT>
+void rescale(Monge_coefficients<FT>& coefficients, const FT& inverse)
+{
+  for (std::size_t k = 2; monge_offset(k) < coefficients.size(); ++k)
+    for (std::size_t i = monge_offset(k); i < monge_offset(k + 1); ++i)
+      coefficients[i] = numeric::multiplied(coefficients[i], inverse, k - 1);
 }
 
 /// The same estimation where lengths are measured in a unit `factor` times smaller. For a power of two, exact.
 template <class FT>
-Estimation<FT> in_smaller_unit(Estimation<FT> e, std::size_t dprime, const FT& factor)
+Estimation<FT> in_smaller_unit(Estimation<FT> e, const FT& factor)
 {
   const FT inverse = FT(1) / factor;
   for (FT& variance : e.fitting.variances) variance = numeric::multiplied(variance, factor, 2);
   e.fitting.centroid = factor * e.fitting.centroid;
   e.jet = in_smaller_unit(std::move(e.jet), factor);
   e.origin = factor * e.origin;
-  for (std::size_t k = 2; k <= dprime; ++k)
-    for (std::size_t i = monge_offset(k); i < monge_offset(k + 1); ++i)
-      e.coefficients[i] = numeric::multiplied(e.coefficients[i], inverse, k - 1);
+  rescale(e.coefficients, inverse);
+  rescale(e.standard_errors.coefficients, inverse);
   e.residual_rms = factor * e.residual_rms;
   return e;
 }
 
-/// The four steps on samples relative to p, which end up in another unit of length.
-/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business.
+/// The four steps on samples relative to p, which end up in another unit of length and with other weights.
+/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business, as are options.point_weights.
 /// \param make_fitting_basis makes the fitting basis from samples
 template <class FT, class Make_fitting_basis, class Solver>
 Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t dprime,
-                        const Make_fitting_basis& make_fitting_basis, Solver& solver)
+                        const Make_fitting_basis& make_fitting_basis, Solver& solver, const Fit_options& options)
 {
   const FT unit = unit_of_length(samples);
   samples.scale(FT(1) / unit);
-  return in_smaller_unit(estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver), dprime, unit);
+  if (options.weights_by_distance()) weight_by_distance(samples, options);
+  return in_smaller_unit(estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options), unit);
 }
 
 } // namespace Jet_fitting

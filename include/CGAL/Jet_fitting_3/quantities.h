@@ -7,16 +7,13 @@
 #ifndef CGAL_JET_FITTING_3_QUANTITIES_H
 #define CGAL_JET_FITTING_3_QUANTITIES_H
 
-#include <CGAL/license/Jet_fitting_3.h>
-
 #include <CGAL/Jet_fitting_3/Monge_form.h>
-
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 /// \file
 /// Curvatures that follow from a Monge form, as function objects: mean_curvature(form), or handed on by name, as in
@@ -28,6 +25,14 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+
+/// A number of a form as a double. Exact numbers, which have no conversion, bring a function to_double().
+template <class FT>
+double as_double(const FT& x)
+{
+  if constexpr (std::is_convertible<FT, double>::value) return double(x);
+  else return to_double(x);
+}
 
 /// k1, in 1/length.
 struct Maximal_curvature
@@ -77,7 +82,7 @@ struct Shape_index
   template <class DataKernel>
   double operator()(const Monge_form<DataKernel>& form) const
   {
-    const double k1 = CGAL::to_double(form.principal_curvatures(0)), k2 = CGAL::to_double(form.principal_curvatures(1));
+    const double k1 = as_double(form.principal_curvatures(0)), k2 = as_double(form.principal_curvatures(1));
     const double right_angle = std::acos(0.);
     return std::atan2(k1 + k2, k1 - k2) / right_angle;
   }
@@ -89,7 +94,7 @@ struct Curvedness
   template <class DataKernel>
   double operator()(const Monge_form<DataKernel>& form) const
   {
-    return std::hypot(CGAL::to_double(form.principal_curvatures(0)), CGAL::to_double(form.principal_curvatures(1))) /
+    return std::hypot(as_double(form.principal_curvatures(0)), as_double(form.principal_curvatures(1))) /
            std::sqrt(2.);
   }
 };

@@ -53,7 +53,13 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
         block.add_row([&](std::vector<Index>& row) { gather(static_cast<Index>(i), row); });
       fitter(block, fits);
       for (std::size_t i = first; i < last; ++i)
-        if (fits[i - first].status.is_estimated()) orient(static_cast<Index>(i), fits[i - first].form);
+        if (fits[i - first].status.is_estimated()) {
+          Fit<DataKernel>& fit_of_i = fits[i - first];
+          const auto d1 = fit_of_i.form.maximal_principal_direction();
+          orient(static_cast<Index>(i), fit_of_i.form);
+          if (fit_of_i.quality.standard_errors.is_estimated && d1 != fit_of_i.form.maximal_principal_direction())
+            fit_of_i.quality.standard_errors.turn();
+        }
 
       const std::lock_guard<std::mutex> lock(mutex);
       if (cancelled) return false;

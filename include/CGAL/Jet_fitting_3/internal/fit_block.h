@@ -10,6 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/Estimation_summary.h>
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
@@ -61,12 +62,13 @@ private:
   std::vector<std::size_t> m_ends;
 };
 
-/// A form, empty unless status.is_estimated().
+/// A form, empty unless status.is_estimated(). The quality is that of an estimated form, if asked for.
 template <class DataKernel>
 struct Fit
 {
   Monge_form<DataKernel> form;
   Estimation_status status;
+  Fit_quality quality;
 };
 
 /// The rows of a block that can be fitted together, sorted by their lengths, so that the lanes of a pack hardly differ.
@@ -92,13 +94,19 @@ private:
   std::vector<std::uint32_t> m_starts, m_rows;
 };
 
-/// One lane of an estimation in packs; without the factor R of the system.
+/// One lane of an estimation in packs.
 template <class FT, int lanes>
 Estimation<FT> lane(const Estimation<numeric::Pack<FT, lanes>>& e, int i)
 {
   using Pack = numeric::Pack<FT, lanes>;
   const auto vector = [i](const Vector_3<Pack>& v) { return Vector_3<FT>{v.x[i], v.y[i], v.z[i]}; };
   const auto basis = [&vector](const Basis_3<Pack>& b) { return Basis_3<FT>{vector(b.x), vector(b.y), vector(b.z)}; };
+  const auto buffer = [i](const Monge_coefficients<Pack>& packs) {
+    Monge_coefficients<FT> numbers;
+    numbers.resize(packs.size());
+    for (std::size_t j = 0; j < packs.size(); ++j) numbers[j] = packs[j][i];
+    return numbers;
+  };
   Estimation<FT> result{{basis(e.fitting.axes),
                          {{e.fitting.variances[0][i], e.fitting.variances[1][i], e.fitting.variances[2][i]}},
                          vector(e.fitting.centroid)},
@@ -107,12 +115,31 @@ Estimation<FT> lane(const Estimation<numeric::Pack<FT, lanes>>& e, int i)
                         basis(e.monge_axes),
                         {},
                         e.residual_rms[i],
+                        {},
+                        {},
                         {}};
   for (std::size_t k = 0; k <= e.jet.degree(); ++k)
     for (std::size_t j = 0; j <= k; ++j) result.jet.part(k)[j] = e.jet.part(k)[j][i];
-  result.coefficients.resize(e.coefficients.size());
-  for (std::size_t j = 0; j < e.coefficients.size(); ++j) result.coefficients[j] = e.coefficients[j][i];
+  result.coefficients = buffer(e.coefficients);
   result.solution.rank = e.solution.rank;
+  if (e.standard_errors.is_estimated) {
+    result.standard_errors.is_estimated = true;
+    result.standard_errors.degrees_of_freedom = e.standard_errors.degrees_of_freedom[i];
+    result.standard_errors.normal_along_d1 = e.standard_errors.normal_along_d1[i];
+    result.standard_errors.normal_along_d2 = e.standard_errors.normal_along_d2[i];
+    result.standard_errors.coefficients = buffer(e.standard_errors.coefficients);
+  }
+  return result;
+}
+
+/// The factor R of one lane, for its condition number.
+template <class FT, int lanes>
+numeric::Upper_triangle<FT> lane(const numeric::Upper_triangle<numeric::Pack<FT, lanes>>& r, int lane)
+{
+  numeric::Upper_triangle<FT> result;
+  result.resize(r.size());
+  for (std::size_t j = 0; j < r.size(); ++j)
+    for (std::size_t i = 0; i <= j; ++i) result(i, j) = r(i, j)[lane];
   return result;
 }
 
@@ -131,7 +158,11 @@ class Block_fitter
 public:
   Block_fitter(const Point_table<DataKernel>& points, std::size_t d, std::size_t dprime, const Options& options)
     : m_points(points), m_d(d), m_dprime(dprime), m_options(options)
-  {}
+  {
+    if (!options.point_weights.empty()) check_weights(options.point_weights, points.size());
+  }
+
+  bool reports_quality() const { return m_options.report_quality || m_options.standard_errors; }
 
   /// Storage of `fits` is used again.
   void operator()(const Neighborhood_block& block, std::vector<Fit<DataKernel>>& fits)
@@ -158,37 +189,66 @@ private:
     std::array<std::uint32_t, std::size_t(lanes)> row;
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = rows[(std::min)(i, count - 1)];
     const std::size_t longest = block.length(row.back());
-    m_samples.resize(longest, block.length(row.front()) < longest);
+    m_samples.resize(longest, block.length(row.front()) < longest || !m_options.point_weights.empty());
     for (std::size_t i = 0; i < row.size(); ++i) {
       const Index* points = block.begin(row[i]);
       const std::size_t length = block.length(row[i]);
       for (std::size_t s = 0; s < longest; ++s) { // where the row has ended, p itself with weight 0
         const Vector_3<double> r = s < length ? m_points.offset(points[0], points[s]) : Vector_3<double>{0, 0, 0};
         m_samples.set_lane(s, int(i), FT(r.x), FT(r.y), FT(r.z));
-        if (m_samples.is_weighted()) m_samples.set_weight_lane(s, int(i), s < length ? FT(1) : FT(0));
+        if (m_samples.is_weighted()) m_samples.set_weight_lane(s, int(i), s < length ? weight(points[s]) : FT(0));
       }
     }
 
     const auto pca = [](const Samples<Pack>& samples) { return fitting_basis(samples); };
-    const Estimation<Pack> estimation = estimate(std::move(m_samples), m_d, m_dprime, pca, m_solver);
+    const Estimation<Pack> estimation = estimate(std::move(m_samples), m_d, m_dprime, pca, m_solver, m_options);
     for (std::size_t i = 0; i < count; ++i) {
       const Index* points = block.begin(row[i]);
-      if (!estimation.solution.trusted[int(i)]) fits[row[i]] = fit(points, block.end(row[i]));
-      else set(fits[row[i]], lane(estimation, int(i)), m_points[*points]);
+      if (!estimation.solution.trusted[int(i)]) {
+        fits[row[i]] = fit(points, block.end(row[i]));
+        continue;
+      }
+      const auto condition_number = [&] {
+        return numeric::condition_number(lane(estimation.solution.r, int(i)));
+      };
+      set(fits[row[i]], lane(estimation, int(i)), block.length(row[i]), condition_number, m_points[*points]);
     }
   }
 
-  void set(Fit<DataKernel>& fit, const Estimation<FT>& estimation, const typename DataKernel::Point_3& p) const
+  FT weight(Index i) const { return m_options.point_weights.empty() ? FT(1) : FT(m_options.point_weights[i]); }
+
+  template <class Condition_number>
+  void set(Fit<DataKernel>& fit, const Estimation<FT>& estimation, std::size_t number_of_points,
+           const Condition_number& condition_number, const typename DataKernel::Point_3& p) const
   {
     fit.status = assess(estimation);
-    if (fit.status.is_estimated())
-      assign(fit.form, estimation, p, typename Exact_first_converters<DataKernel, LocalKernel>::L2D_converter{});
-    else fit.form = {};
+    if (!fit.status.is_estimated()) {
+      fit.form = {};
+      return;
+    }
+    assign(fit.form, estimation, p, typename Exact_first_converters<DataKernel, LocalKernel>::L2D_converter{});
+    if (m_options.loss != Loss::least_squares && number_of_points < 5 * number_of_jet_coefficients(m_d))
+      fit.status |= Status_flag::few_points_for_robust_loss;
+    if (!reports_quality()) return;
+    fit.quality.number_of_points = number_of_points;
+    fit.quality.residual_rms = double(estimation.residual_rms);
+    fit.quality.condition_number = m_options.report_quality ? double(condition_number()) : 0;
+    fit.quality.standard_errors = as_doubles(estimation.standard_errors);
+  }
+
+  static Standard_errors<double> as_doubles(const Standard_errors<FT>& errors)
+  {
+    Standard_errors<double> result{errors.is_estimated, double(errors.degrees_of_freedom), 
+                                   double(errors.normal_along_d1), double(errors.normal_along_d2), {}};
+    result.coefficients.resize(errors.coefficients.size());
+    std::transform(errors.coefficients.begin(), errors.coefficients.end(), result.coefficients.begin(),
+                   [](const FT& error) { return double(error); });
+    return result;
   }
 
   Fit<DataKernel> fit(const Index* begin, const Index* end) const
   {
-    if (!m_points.is_finite(*begin)) return {{}, Status_flag::not_finite};
+    if (!m_points.is_finite(*begin)) return {{}, Status_flag::not_finite, {}};
     const std::size_t size = std::size_t(end - begin);
     Estimation_status trouble;
     if (size == 1) trouble |= Status_flag::isolated;
@@ -200,10 +260,10 @@ private:
       }
       Fit<DataKernel> result = fit(begin, end, d);
       if (result.status.is_estimated() && d < m_d) result.status |= Status_flag::degree_lowered;
-      if (result.status != Status_flag::rank_deficient) return {result.form, result.status | trouble};
+      if (result.status != Status_flag::rank_deficient) return {result.form, result.status | trouble, result.quality};
       trouble |= Status_flag::rank_deficient;
     }
-    return {{}, trouble};
+    return {{}, trouble, {}};
   }
 
   Fit<DataKernel> fit(const Index* begin, const Index* end, std::size_t d) const
@@ -212,18 +272,31 @@ private:
     try {
       const auto point = [this](Index i) { return m_points[i]; };
       const auto estimate = Fitting().estimate(boost::make_transform_iterator(begin, point),
-                                               boost::make_transform_iterator(end, point), d, (std::min)(d, m_dprime));
+                                               boost::make_transform_iterator(end, point), d, (std::min)(d, m_dprime),
+                                               options_of(begin, end));
       if (estimate.status() == Fit_status::rank_deficient) result.status = Status_flag::rank_deficient;
-      else set(result, estimate.details(), m_points[*begin]);
+      else
+        set(result, estimate.details(), std::size_t(end - begin), [&] { return estimate.condition_number(); },
+            m_points[*begin]);
     } catch (const Invalid_input&) { // neighbours too far away for a double
       result.status = Status_flag::not_finite;
     }
     return result;
   }
 
+  /// With the weights of one row's points.
+  Fit_options options_of(const Index* begin, const Index* end) const
+  {
+    Fit_options options = m_options;
+    if (options.point_weights.empty()) return options;
+    options.point_weights.clear();
+    for (; begin != end; ++begin) options.point_weights.push_back(m_options.point_weights[*begin]);
+    return options;
+  }
+
   const Point_table<DataKernel>& m_points;
   std::size_t m_d, m_dprime;
-  Options m_options;
+  const Options& m_options;
   Rows_by_length m_order;
   Samples<Pack> m_samples;
   Abstaining_solver<Pack> m_solver;

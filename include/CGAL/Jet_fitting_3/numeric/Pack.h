@@ -177,8 +177,8 @@ bool all(const Pack_mask<T, lanes>& mask)
 }
 
 template <class T, int lanes>
-Pack<T, lanes> select(const Pack_mask<T, lanes>& mask, const Pack<T, lanes>& if_true,
-                      const Plain<Pack<T, lanes>>& if_false)
+Pack<T, lanes> select_lanes(const Pack_mask<T, lanes>& mask, const Pack<T, lanes>& if_true,
+                            const Pack<T, lanes>& if_false)
 {
 #if defined(__GNUC__)
   using Bits = typename Pack_mask<T, lanes>::Register;
@@ -229,18 +229,13 @@ T sum_of_lanes(const Pack<T, lanes>& x)
 }
 
 template <class T, int lanes>
-struct Scalar<Pack<T, lanes>>
+struct Lanes<Pack<T, lanes>>
 {
-  using type = T;
+  using Number = T;
+  static constexpr int count = lanes;
+  static T get(const Pack<T, lanes>& x, int i) { return x[i]; }
+  static void set(Pack<T, lanes>& x, int i, T value) { x.set(i, value); }
 };
-
-template <class T, int lanes>
-Pack<T, lanes> power_of_two_above(const Pack<T, lanes>& x)
-{
-  Pack<T, lanes> result = x;
-  for (int i = 0; i < lanes; ++i) result.set(i, power_of_two_above(x[i]));
-  return result;
-}
 
 } // namespace numeric
 } // namespace Jet_fitting

@@ -18,7 +18,7 @@
 /// What a number type FT must offer to the steps: + - * / and unary -, construction from int and double,
 /// comparisons, `sqrt` and `abs` found by argument-dependent look-up, and `std::numeric_limits`.
 /// A comparison gives a mask: bool for one number, a lane-wise mask for a Pack. The steps branch on masks only through
-/// `select`, `any` and `all`, hence the same code runs on both.
+/// `select`, `any` and `all`, hence the same code runs on both. Nothing here depends on the order of inclusion.
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -37,10 +37,12 @@ using Plain = typename Non_deduced<T>::type;
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
 
-template <class FT>
-FT select(bool mask, const FT& if_true, const Plain<FT>& if_false)
+/// if_true where the mask holds, if_false elsewhere. Masks other than bool bring their select_lanes().
+template <class Mask, class FT>
+FT select(const Mask& mask, const FT& if_true, const Plain<FT>& if_false)
 {
-  return mask ? if_true : if_false;
+  if constexpr (std::is_same<Mask, bool>::value) return mask ? if_true : if_false;
+  else return select_lanes(mask, if_true, if_false);
 }
 
 template <class FT>
@@ -70,18 +72,30 @@ auto is_finite(const FT& x)
   return FT(x - x) == FT(0);
 }
 
-/// The type of one coordinate: FT itself, or the lane type of a Pack.
+/// The plain numbers that an FT consists of: itself, or the lanes of a Pack.
 template <class FT>
-struct Scalar
+struct Lanes
 {
-  using type = FT;
+  using Number = FT;
+  static constexpr int count = 1;
+  static const FT& get(const FT& x, int) { return x; }
+  static void set(FT& x, int, const FT& value) { x = value; }
 };
+
+/// f of every lane.
+template <class FT, class Function>
+FT by_lane(const FT& x, const Function& f)
+{
+  FT result(x);
+  for (int i = 0; i < Lanes<FT>::count; ++i) Lanes<FT>::set(result, i, f(Lanes<FT>::get(x, i)));
+  return result;
+}
 
 /// Unit round-off, as a plain number.
 template <class FT>
-typename Scalar<FT>::type epsilon()
+typename Lanes<FT>::Number epsilon()
 {
-  return std::numeric_limits<typename Scalar<FT>::type>::epsilon();
+  return std::numeric_limits<typename Lanes<FT>::Number>::epsilon();
 }
 
 /// The leading half of the digits of v, for |v| <= 1: products of two such parts, and sums of three products, are exact.
@@ -89,7 +103,7 @@ typename Scalar<FT>::type epsilon()
 template <class FT>
 FT leading_half(const FT& v)
 {
-  using Number = typename Scalar<FT>::type;
+  using Number = typename Lanes<FT>::Number;
   if constexpr (std::is_floating_point<Number>::value) {
     constexpr int digits = std::numeric_limits<Number>::digits, kept = (digits - 1) / 2;
     constexpr Number shift = Number(1.5) * Number(1ull << (digits - 1 - kept));
@@ -106,44 +120,52 @@ FT multiplied(FT base, const FT& factor, std::size_t times)
   return base;
 }
 
-/// A power of two p with p/2 <= x < p, or 1 where x is zero or not finite: scaling by it is exact.
-/// It is held away from both ends of the exponent range, so that 1/p is a normal number too.
-template <class FT>
-FT power_of_two_above(const FT& x)
+/// The power of two p with p/2 <= x < p, for a plain number x > 0.
+template <class Number>
+Number next_power_of_two(const Number& x)
 {
-  FT p(1);
-  if (!(x > FT(0)) || !is_finite(x)) return p;
-  while (!(x < p)) p *= FT(2);
-  while (x < FT(p / FT(2))) p /= FT(2);
+  Number p(1);
+  while (!(x < p)) p *= Number(2);
+  while (x < Number(p / Number(2))) p /= Number(2);
   return p;
 }
 
 template <class Float>
-Float power_of_two_above_by_exponent(Float x)
+Float next_power_of_two_by_exponent(Float x)
 {
   using Limits = std::numeric_limits<Float>;
-  if (!(x > Float(0)) || !is_finite(x)) return Float(1);
   int exponent = 0;
   std::frexp(x, &exponent);
   const int least = Limits::min_exponent + 1, most = Limits::max_exponent - 2;
   return std::ldexp(Float(1), exponent < least ? least : exponent > most ? most : exponent);
 }
 
-inline float power_of_two_above(float x) { return power_of_two_above_by_exponent(x); }
-inline long double power_of_two_above(long double x) { return power_of_two_above_by_exponent(x); }
+inline float next_power_of_two(float x) { return next_power_of_two_by_exponent(x); }
+inline long double next_power_of_two(long double x) { return next_power_of_two_by_exponent(x); }
 
 /// Reads the exponent from the bits where they are those of IEC 60559: a call of frexp takes as long as a small fit's
 /// change of coordinates.
-inline double power_of_two_above(double x)
+inline double next_power_of_two(double x)
 {
   const double least = 0x1p-1000, most = 0x1p1000;
-  if (!std::numeric_limits<double>::is_iec559 || !(x > least) || !(x < most)) return power_of_two_above_by_exponent(x);
+  if (!std::numeric_limits<double>::is_iec559 || !(x > least) || !(x < most)) return next_power_of_two_by_exponent(x);
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof(double));
   bits = (bits & 0x7ff0000000000000u) + 0x0010000000000000u;
   double power;
   std::memcpy(&power, &bits, sizeof(double));
   return power;
+}
+
+/// A power of two p with p/2 <= x < p, or 1 where x is zero or not finite: scaling by it is exact.
+/// It is held away from both ends of the exponent range, so that 1/p is a normal number too.
+template <class FT>
+FT power_of_two_above(const FT& x)
+{
+  using Number = typename Lanes<FT>::Number;
+  return by_lane(x, [](const Number& number) {
+    return number > Number(0) && is_finite(number) ? next_power_of_two(number) : Number(1);
+  });
 }
 
 } // namespace numeric

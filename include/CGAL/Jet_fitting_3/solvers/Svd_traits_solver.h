@@ -55,18 +55,25 @@ public:
       b.set(i, m_system.right_side()[i]);
     }
 
-    numeric::Least_squares_solution<FT> solution;
-    solution.condition_number = SvdTraits::solve(m, b);
-    solution.y.resize(columns);
-    for (std::size_t j = 0; j < columns; ++j) solution.y[j] = b(j);
-    solution.square_sum = FT(0);
+    const FT condition_number = SvdTraits::solve(m, b);
+    numeric::Buffer<FT, 45> y;
+    y.resize(columns);
+    for (std::size_t j = 0; j < columns; ++j) y[j] = b(j);
+    FT square_sum(0);
     for (std::size_t i = 0; i < rows; ++i) {
       FT residual = m_system.right_side()[i];
-      for (std::size_t j = 0; j < columns; ++j) residual = residual - m_system.column(j)[i] * solution.y[j];
-      solution.square_sum = solution.square_sum + residual * residual;
+      for (std::size_t j = 0; j < columns; ++j) residual = residual - m_system.column(j)[i] * y[j];
+      square_sum = square_sum + residual * residual;
     }
-    const bool is_full = solution.condition_number * FT(numeric::epsilon<FT>()) * FT(double(rows)) < FT(1);
-    solution.rank = is_full ? columns : numeric::solve_by_singular_values(m_system).rank;
+
+    // what the traits do not tell: the factor R, or the rank
+    const bool is_full = condition_number * FT(numeric::epsilon<FT>()) * FT(double(rows)) < FT(1);
+    auto solution = is_full ? numeric::solve_by_orthogonalization(m_system, FT(0))
+                            : numeric::solve_by_singular_values(m_system);
+    solution.y = std::move(y);
+    solution.square_sum = square_sum;
+    solution.condition_number = condition_number;
+    solution.trusted = true;
     return solution;
   }
 

@@ -152,12 +152,44 @@ Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, co
   return jet;
 }
 
+/// Z - M' Y without weights: how far each sample lies above the fitted jet.
+template <class FT>
+numeric::Buffer<FT, 128> residuals(const Heights<FT>& h, const numeric::Buffer<FT, 45>& y, std::size_t degree)
+{
+  numeric::Buffer<FT, 128> result;
+  result.resize(h.size);
+  for (std::size_t s = 0; s < h.size; ++s) {
+    FT jet(0), power_v(1); // Horner's rule in u inside a sum over powers of v
+    for (std::size_t j = 0; j <= degree; ++j) {
+      FT in_u(0);
+      for (std::size_t k = degree; k + 1 > j; --k) in_u = in_u * h.u[s] + y[k * (k + 1) / 2 + j];
+      jet = jet + in_u * power_v;
+      power_v = power_v * h.v[s];
+    }
+    result[s] = h.height[s] - jet;
+  }
+  return result;
+}
+
 template <class FT>
 struct Jet_fit
 {
-  Jet<FT> jet;                                   ///< in the fitting basis
-  numeric::Least_squares_solution<FT> solution;  ///< of the preconditioned system: rank, condition number
+  Jet<FT> jet;                                  ///< in the fitting basis
+  numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system: rank, condition number
+  FT hu, hv;                                    ///< of the preconditioning
+  numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample; otherwise none
 };
+
+template <class FT, class Solver>
+Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
+{
+  Jet_fit<FT> fit{Jet<FT>(),
+                  solve(h.size, number_of_jet_coefficients(degree),
+                        [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); }),
+                  h.hu, h.hv, {}};
+  fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
+  return fit;
+}
 
 /// Step 2 (section 3.2): the d-jet whose graph over the (x, y) plane of the basis fits the samples in the least squares
 /// sense; it passes through them if they are N_d, the rank being full. In a rank deficient case it is the jet with the
@@ -170,11 +202,7 @@ struct Jet_fit
 template <class FT, class Solver>
 Jet_fit<FT> fit_jet(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Solver& solve)
 {
-  const Heights<FT> h = heights(samples, basis);
-  Jet_fit<FT> fit{Jet<FT>(), solve(samples.size(), number_of_jet_coefficients(degree),
-                                   [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); })};
-  fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
-  return fit;
+  return fit_heights(heights(samples, basis), degree, solve);
 }
 
 } // namespace Jet_fitting

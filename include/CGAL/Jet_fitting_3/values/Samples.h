@@ -52,6 +52,14 @@ public:
     m_z[i] = r.z;
   }
 
+  /// Gives every sample the weight one that it had without saying so.
+  void make_weighted()
+  {
+    if (is_weighted()) return;
+    m_weights.resize(size());
+    for (FT& weight : m_weights) weight = FT(1);
+  }
+
   void set_weight(std::size_t i, const FT& weight) { m_weights[i] = weight; }
 
   /// The same for one lane, where FT is a Pack.

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
+#define CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
+
+#include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/values/Samples.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// The weight at distance t from p, 0 <= t <= 1, as Fit_options says.
+template <class FT>
+FT weight_at_distance(const FT& t, const Fit_options& options)
+{
+  using Number = typename numeric::Lanes<FT>::Number;
+  if (options.weight_of_distance)
+    return numeric::by_lane(t, [&](const Number& x) { return Number(options.weight_of_distance(double(x))); });
+  switch (options.weighting) {
+  case Weighting::gaussian:
+    return numeric::by_lane(t, [](const Number& x) {
+      using std::exp;
+      return Number(exp(Number(-2 * x * x)));
+    });
+  case Weighting::wendland: {
+    const FT s = FT(0.8) * t;
+    return numeric::multiplied(FT(FT(4) * s + FT(1)), FT(FT(1) - s), 4);
+  }
+  case Weighting::inverse_distance: return FT(1) / (t + FT(0.125));
+  case Weighting::unit: break;
+  }
+  return FT(1);
+}
+
+/// Multiplies the weights of the samples by those for their distances from p.
+template <class FT>
+void weight_by_distance(Samples<FT>& samples, const Fit_options& options)
+{
+  FT radius(0);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    radius = numeric::larger(radius, numeric::square_root(dot(samples[i], samples[i])));
+  const FT inverse_radius = FT(1) / numeric::select(radius > FT(0), radius, FT(1));
+  samples.make_weighted();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const FT t = inverse_radius * numeric::square_root(dot(samples[i], samples[i]));
+    samples.set_weight(i, samples.weight(i) * weight_at_distance(t, options));
+  }
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
