@@ -53,6 +53,9 @@ public:
   /// Neither estimated nor skipped: the call was cancelled before.
   bool is_unknown() const { return m_flags == 0; }
 
+  /// The sum of the flags' values, which do not change from version to version.
+  std::uint16_t to_integer() const { return m_flags; }
+
   Estimation_status& operator|=(Estimation_status other)
   {
     m_flags = static_cast<std::uint16_t>(m_flags | other.m_flags);

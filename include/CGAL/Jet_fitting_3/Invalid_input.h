@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,9 +38,8 @@ inline void check_degrees(std::size_t d, std::size_t dprime)
 /// At least N_d samples. \throw Invalid_input otherwise
 inline void check_number_of_samples(std::size_t n, std::size_t d)
 {
-  if (d >= n) // N_d > d; of an absurd degree N_d itself would overflow
-    throw Invalid_input("a jet of degree " + std::to_string(d) + " needs more samples than its degree: got " +
-                        std::to_string(n));
+  const std::size_t absurd = std::size_t(1) << (std::numeric_limits<std::size_t>::digits / 2 - 1); // N_d may overflow
+  if (d >= absurd) throw Invalid_input("a jet cannot have degree " + std::to_string(d));
   if (n < number_of_jet_coefficients(d))
     throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " +
                         std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));

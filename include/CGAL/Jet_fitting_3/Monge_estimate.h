@@ -35,9 +35,12 @@ public:
   using FT = typename LocalKernel::FT;
   using Local_vector_3 = typename LocalKernel::Vector_3;
 
-  Monge_estimate(const Monge_form<DataKernel>& form, Estimation<FT> details)
-    : m_form(form), m_details(std::move(details))
+  Monge_estimate(const typename DataKernel::Point_3& p, const Monge_form<DataKernel>& form, Estimation<FT> details)
+    : m_point(p), m_form(form), m_details(std::move(details))
   {}
+
+  /// p, the first sample: the origin of the fitting basis.
+  const typename DataKernel::Point_3& point() const { return m_point; }
 
   const Monge_form<DataKernel>& monge_form() const { return m_form; }
   Monge_form<DataKernel>& monge_form() { return m_form; }
@@ -83,6 +86,7 @@ public:
   const Estimation<FT>& details() const { return m_details; }
 
 private:
+  typename DataKernel::Point_3 m_point;
   Monge_form<DataKernel> m_form;
   Estimation<FT> m_details;
 };

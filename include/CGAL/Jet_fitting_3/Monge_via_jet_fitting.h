@@ -244,7 +244,7 @@ private:
   static Estimate with_form(Estimation<FT>&& e, const typename DataKernel::Point_3& p)
   {
     const Monge_form monge_form = form(e, p);
-    return Estimate(monge_form, std::move(e));
+    return Estimate(p, monge_form, std::move(e));
   }
 
   Monge_form report(Estimation<FT>&& e, const typename DataKernel::Point_3& p)
