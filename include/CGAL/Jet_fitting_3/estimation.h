@@ -8,14 +8,14 @@
 #define CGAL_JET_FITTING_3_ESTIMATION_H
 
 #include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/noise/distance_weights.h>
+#include <CGAL/Jet_fitting_3/noise/robust_fitting.h>
+#include <CGAL/Jet_fitting_3/noise/standard_errors.h>
 #include <CGAL/Jet_fitting_3/numeric/condition_number.h>
-#include <CGAL/Jet_fitting_3/steps/distance_weights.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
-#include <CGAL/Jet_fitting_3/steps/robust_fitting.h>
-#include <CGAL/Jet_fitting_3/steps/standard_errors.h>
 
 #include <cstddef>
 #include <utility>

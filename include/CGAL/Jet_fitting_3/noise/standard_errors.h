@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_JET_FITTING_3_STEPS_STANDARD_ERRORS_H
-#define CGAL_JET_FITTING_3_STEPS_STANDARD_ERRORS_H
+#ifndef CGAL_JET_FITTING_3_NOISE_STANDARD_ERRORS_H
+#define CGAL_JET_FITTING_3_NOISE_STANDARD_ERRORS_H
 
 #include <CGAL/Jet_fitting_3/numeric/Dual.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
@@ -86,4 +86,4 @@ Standard_errors<FT> standard_errors(const Jet_fit<FT>& fit, const Basis_3<FT>& f
 } // namespace Jet_fitting
 } // namespace CGAL
 
-#endif // CGAL_JET_FITTING_3_STEPS_STANDARD_ERRORS_H
+#endif // CGAL_JET_FITTING_3_NOISE_STANDARD_ERRORS_H

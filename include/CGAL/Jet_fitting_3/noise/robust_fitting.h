@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_JET_FITTING_3_STEPS_ROBUST_FITTING_H
-#define CGAL_JET_FITTING_3_STEPS_ROBUST_FITTING_H
+#ifndef CGAL_JET_FITTING_3_NOISE_ROBUST_FITTING_H
+#define CGAL_JET_FITTING_3_NOISE_ROBUST_FITTING_H
 
 #include <CGAL/Jet_fitting_3/Fit_options.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
@@ -120,4 +120,4 @@ Jet_fit<FT> fit_jet_robustly(const Samples<FT>& samples, const Basis_3<FT>& basi
 } // namespace Jet_fitting
 } // namespace CGAL
 
-#endif // CGAL_JET_FITTING_3_STEPS_ROBUST_FITTING_H
+#endif // CGAL_JET_FITTING_3_NOISE_ROBUST_FITTING_H

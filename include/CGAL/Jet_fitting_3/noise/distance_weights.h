@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
-#define CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
+#ifndef CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
+#define CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
 
 #include <CGAL/Jet_fitting_3/Fit_options.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
@@ -58,4 +58,4 @@ void weight_by_distance(Samples<FT>& samples, const Fit_options& options)
 } // namespace Jet_fitting
 } // namespace CGAL
 
-#endif // CGAL_JET_FITTING_3_STEPS_DISTANCE_WEIGHTS_H
+#endif // CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
