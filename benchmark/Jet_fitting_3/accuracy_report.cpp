@@ -80,7 +80,8 @@ void offsets()
       data.emplace_back(shift + grid * std::round(o[0] / grid), shift + grid * std::round(o[1] / grid),
                         shift + grid * std::round(z / grid));
     }
-    row("offset", "2^-12 grid", e == 0 ? "0" : "2^" + std::to_string(e), 4, std::vector<Vec3<Wide>>(data.begin(), data.end()), data);
+    row("offset", "2^-12 grid", e == 0 ? "0" : "2^" + std::to_string(e), 4,
+        std::vector<Vec3<Wide>>(data.begin(), data.end()), data);
   }
 }
 

@@ -24,7 +24,10 @@ using Fit = CGAL::Monge_via_jet_fitting<Kernel, CGAL::Simple_cartesian<double>, 
 using Points = std::vector<Vec3<double>>;
 
 template <class Vector>
-Vec3<double> vec(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+Vec3<double> vec(const Vector& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
 
 const std::array<Kernel::Vector_3, 3> world_axes{Kernel::Vector_3(1, 0, 0), Kernel::Vector_3(0, 1, 0),
                                                  Kernel::Vector_3(0, 0, 1)};
@@ -104,7 +107,8 @@ void conics()
   check_near(std::abs(on_plane.monge_form().normal_direction().z()), 1., 1e-14, "circle in a plane: normal");
 
   // on a curved surface the PCA's plane is tilted, and the projections are no conic any more; the frame restores it
-  const auto saddle = as<Kernel::Point_3>(circle(12, [](double x, double y) { return x * x - y * y / 4 + x * x * x / 2; }));
+  const auto saddle =
+      as<Kernel::Point_3>(circle(12, [](double x, double y) { return x * x - y * y / 4 + x * x * x / 2; }));
   check_deficient(Fit().estimate(saddle.begin(), saddle.end(), 2, 2, world_axes), 5, "circle on a curved surface");
 }
 
@@ -182,7 +186,8 @@ void report()
     const auto truth = reference_fit<Wide>(data, 3, 2);
     check_near(estimate.residual_rms(), truth.residual_rms, 1e-6 * truth.residual_rms, surface.name + " residual");
     for (int i = 0; i < 3; ++i)
-      check_near(estimate.pca_basis(i).first, truth.variances[i], 1e-13 * truth.variances[0], surface.name + " variance");
+      check_near(estimate.pca_basis(i).first, truth.variances[i], 1e-13 * truth.variances[0],
+                 surface.name + " variance");
   }
 }
 

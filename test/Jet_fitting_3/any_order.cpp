@@ -51,8 +51,8 @@ void coefficients_and_derivatives()
       for (int j = 0; i + j <= order; ++j) {
         const int k = i + j;
         const double expected = k < 2 || (i == 1 && j == 1) ? 0
-                              : k == 2 ? form.principal_curvatures(j / 2)
-                              : form.coefficients()[index_of(i, j) - 4];
+                                : k == 2                    ? form.principal_curvatures(j / 2)
+                                                            : form.coefficients()[index_of(i, j) - 4];
         check_equal(form.derivative(i, j), expected, what + " g_" + text(i) + text(j));
       }
     check_throws<std::out_of_range>([&] { form.derivative(order + 1, 0); }, {text(order + 1), text(order)},
@@ -60,7 +60,8 @@ void coefficients_and_derivatives()
     if (order >= 3)
       for (int j = 0; j < 4; ++j) check_equal(form.third_order_coefficients(j), form.derivative(3 - j, j), what + " b");
     if (order >= 4)
-      for (int j = 0; j < 5; ++j) check_equal(form.fourth_order_coefficients(j), form.derivative(4 - j, j), what + " c");
+      for (int j = 0; j < 5; ++j)
+        check_equal(form.fourth_order_coefficients(j), form.derivative(4 - j, j), what + " c");
   }
 }
 
@@ -102,7 +103,8 @@ void comply_with_a_normal()
 
       Form same = form;
       same.comply_wrt_given_normal(n);
-      check_true(same.coefficients() == form.coefficients() && same.normal_direction() == n, what + ": already on that side");
+      check_true(same.coefficients() == form.coefficients() && same.normal_direction() == n,
+                 what + ": already on that side");
 
       Form turned = form;
       turned.comply_wrt_given_normal(-n);
@@ -111,13 +113,15 @@ void comply_with_a_normal()
       check_true(found.g == expected.g, what + ": every g_ij becomes -g_ji");
       check_true(turned.normal_direction() == -n, what + ": n is turned");
       check_true(turned.maximal_principal_direction() == form.minimal_principal_direction() &&
-                 turned.minimal_principal_direction() == form.maximal_principal_direction(), what + ": d1, d2 are swapped");
+                     turned.minimal_principal_direction() == form.maximal_principal_direction(),
+                 what + ": d1, d2 are swapped");
       check_true(turned.origin() == form.origin(), what + ": the origin stays");
       if (order >= 2) check_ge(turned.principal_curvatures(0), turned.principal_curvatures(1), what + ": k1 >= k2");
 
       turned.comply_wrt_given_normal(n);
       check_true(turned.coefficients() == form.coefficients() && turned.normal_direction() == n &&
-                 turned.maximal_principal_direction() == form.maximal_principal_direction(), what + ": there and back");
+                     turned.maximal_principal_direction() == form.maximal_principal_direction(),
+                 what + ": there and back");
     }
 }
 
@@ -131,8 +135,10 @@ void seen_from_the_other_side()
     for (int j = 0; j <= k; ++j) graph.derivative(k - j, j) = 1. / (1 + k - 2 * j + 5 * j * j);
   const auto points = samples(graph_of(graph, "graph"), 6, 0.5);
   Fit fit;
-  Form above = fit(points.begin(), points.end(), 6, 6, std::array<Axis, 3>{Axis(1, 0, 0), Axis(0, 1, 0), Axis(0, 0, 1)});
-  const Form below = fit(points.begin(), points.end(), 6, 6, std::array<Axis, 3>{Axis(0, 1, 0), Axis(1, 0, 0), Axis(0, 0, -1)});
+  Form above =
+      fit(points.begin(), points.end(), 6, 6, std::array<Axis, 3>{Axis(1, 0, 0), Axis(0, 1, 0), Axis(0, 0, 1)});
+  const Form below =
+      fit(points.begin(), points.end(), 6, 6, std::array<Axis, 3>{Axis(0, 1, 0), Axis(1, 0, 0), Axis(0, 0, -1)});
   check_near(below.normal_direction().z(), -1., 0.1, "n is on the side of the given axis");
   above.comply_wrt_given_normal(below.normal_direction());
   const Errors e = errors(known_form<double>(below, 6), known_form<double>(above, 6));
@@ -154,9 +160,11 @@ void high_degree()
     const std::string what = "d = " + text(d) + " with " + text(n) + " points";
     const auto estimate = Fit().estimate(points.begin(), points.end(), d, 2);
     if (estimate.rank() < std::size_t(coefficient_count(d))) {
-      std::cout << what << ": rank " << estimate.rank() << ", condition number " << estimate.condition_number() << std::endl;
+      std::cout << what << ": rank " << estimate.rank() << ", condition number " << estimate.condition_number()
+                << std::endl;
       check_ge(estimate.condition_number(), 1e12, what + " is refused by its condition number too");
-      check_true(estimate.status() == CGAL::Jet_fitting::Fit_status::rank_deficient, what + " is refused by its status");
+      check_true(estimate.status() == CGAL::Jet_fitting::Fit_status::rank_deficient,
+                 what + " is refused by its status");
     }
     const Errors e = errors(known_form<double>(estimate.monge_form(), 2), form);
     check_le(e.relative(2), 1e-6, what + ": k");

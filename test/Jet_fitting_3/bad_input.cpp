@@ -44,7 +44,8 @@ void check_refused(const Points& points, std::size_t d, std::size_t dprime, std:
 {
   Fit fit;
   check_throws<Invalid_input>([&] { fit(points.begin(), points.end(), d, dprime); }, words, what);
-  check_throws<Invalid_input>([&] { fit.estimate(points.begin(), points.end(), d, dprime); }, words, what + ", estimate");
+  check_throws<Invalid_input>([&] { fit.estimate(points.begin(), points.end(), d, dprime); }, words,
+                              what + ", estimate");
 }
 
 template <class Fit>
@@ -97,21 +98,25 @@ void bases(const std::string& door)
   using Vector = typename Fit::Data_kernel::Vector_3;
   const auto points = as<Point>(paraboloid(20));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const struct { const char* name; double v[9]; } bad[] = {
-    {"two axes equal", {1, 0, 0, 1, 0, 0, 0, 0, 1}},
-    {"left-handed", {0, 1, 0, 1, 0, 0, 0, 0, 1}},
-    {"not of length one", {1, 0, 0, 0, 1, 0, 0, 0, 1.01}},
-    {"skew", {1, 0, 0, 0.1, std::sqrt(.99), 0, 0, 0, 1}},
-    {"zero", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
-    {"not a number", {1, 0, 0, 0, nan, 0, 0, 0, 1}},
-    {"infinite", {1, 0, 0, 0, 1, 0, 0, 0, std::numeric_limits<double>::infinity()}}};
+  const struct
+  {
+    const char* name;
+    double v[9];
+  } bad[] = {{"two axes equal", {1, 0, 0, 1, 0, 0, 0, 0, 1}},
+             {"left-handed", {0, 1, 0, 1, 0, 0, 0, 0, 1}},
+             {"not of length one", {1, 0, 0, 0, 1, 0, 0, 0, 1.01}},
+             {"skew", {1, 0, 0, 0.1, std::sqrt(.99), 0, 0, 0, 1}},
+             {"zero", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
+             {"not a number", {1, 0, 0, 0, nan, 0, 0, 0, 1}},
+             {"infinite", {1, 0, 0, 0, 1, 0, 0, 0, std::numeric_limits<double>::infinity()}}};
   for (const auto& b : bad) {
     const std::array<Vector, 3> basis{Vector(b.v[0], b.v[1], b.v[2]), Vector(b.v[3], b.v[4], b.v[5]),
                                       Vector(b.v[6], b.v[7], b.v[8])};
     Fit fit;
     const std::string what = door + "basis: " + b.name;
     check_throws<Invalid_input>([&] { fit(points.begin(), points.end(), 2, 2, basis); }, {"orthonormal"}, what);
-    check_throws<Invalid_input>([&] { fit.estimate(points.begin(), points.end(), 2, 2, basis); }, {"orthonormal"}, what);
+    check_throws<Invalid_input>([&] { fit.estimate(points.begin(), points.end(), 2, 2, basis); }, {"orthonormal"},
+                                what);
   }
   // rounding is no misuse
   const Axes<double> turn = rotation(3., 1., -2., 1.);

@@ -17,8 +17,16 @@
 // main() ends with `return test::result();`. Every comparison is written so that NaN fails it.
 namespace test {
 
-inline int& checks() { static int count = 0; return count; }
-inline int& failures() { static int count = 0; return count; }
+inline int& checks()
+{
+  static int count = 0;
+  return count;
+}
+inline int& failures()
+{
+  static int count = 0;
+  return count;
+}
 
 template <class T>
 std::string text(const T& value)
@@ -39,10 +47,7 @@ inline bool record(bool passed, const std::string& what, const std::string& foun
   return passed;
 }
 
-inline bool check_true(bool condition, const std::string& what)
-{
-  return record(condition, what, "is false");
-}
+inline bool check_true(bool condition, const std::string& what) { return record(condition, what, "is false"); }
 
 template <class T, class U>
 bool check_equal(const T& value, const U& expected, const std::string& what)

@@ -17,9 +17,10 @@ namespace test {
 
 // The derivatives at the origin of f(x, y, z) = -w - A00 + J(u, v), where (u, v, w) = x d1 + y d2 + z n.
 template <class Real>
-class Implicit_jet {
-  std::vector<Real> m_A;    // derivatives A_ij at index_of(i, j)
-  Axes<Real> m_axes;        // (d1, d2, n) in the fitting basis
+class Implicit_jet
+{
+  std::vector<Real> m_A; // derivatives A_ij at index_of(i, j)
+  Axes<Real> m_axes;     // (d1, d2, n) in the fitting basis
 
 public:
   Implicit_jet(const std::vector<Real>& A, const Axes<Real>& axes) : m_A(A), m_axes(axes) {}
@@ -63,17 +64,21 @@ void fourth_order_by_theorem_3_1(const Implicit_jet<Real>& f, Known_form<Real>& 
   const Real f300 = f(3, 0, 0), f210 = f(2, 1, 0), f120 = f(1, 2, 0), f030 = f(0, 3, 0);
   const Real f400 = f(4, 0, 0), f310 = f(3, 1, 0), f220 = f(2, 2, 0), f130 = f(1, 3, 0), f040 = f(0, 4, 0);
   const Real square = f001 * f001, cube = square * f001;
-  form.derivative(4, 0) = (-3 * f002 * f200 * f200 - f400 * square + 6 * f201 * f001 * f200
-                           + 4 * f101 * f001 * f300 - 12 * f101 * f101 * f200) / cube;
-  form.derivative(3, 1) = (-6 * f101 * f011 * f200 + 3 * f001 * f111 * f200 + 3 * f101 * f001 * f210
-                           + f011 * f001 * f300 - f310 * square) / cube;
-  form.derivative(2, 2) = -(f220 * square - f201 * f001 * f020 - 2 * f101 * f001 * f120 + 2 * f101 * f101 * f020
-                            - f021 * f001 * f200 + 2 * f011 * f011 * f200 - 2 * f011 * f001 * f210
-                            + f002 * f020 * f200) / cube;
-  form.derivative(1, 3) = -(f130 * square + 6 * f101 * f011 * f020 - 3 * f011 * f001 * f120
-                            - 3 * f111 * f001 * f020 - f101 * f001 * f030) / cube;
-  form.derivative(0, 4) = -(f040 * square + 3 * f002 * f020 * f020 - 6 * f021 * f001 * f020
-                            - 4 * f011 * f001 * f030 + 12 * f011 * f011 * f020) / cube;
+  form.derivative(4, 0) = (-3 * f002 * f200 * f200 - f400 * square + 6 * f201 * f001 * f200 + 4 * f101 * f001 * f300 -
+                           12 * f101 * f101 * f200) /
+                          cube;
+  form.derivative(3, 1) =
+      (-6 * f101 * f011 * f200 + 3 * f001 * f111 * f200 + 3 * f101 * f001 * f210 + f011 * f001 * f300 - f310 * square) /
+      cube;
+  form.derivative(2, 2) = -(f220 * square - f201 * f001 * f020 - 2 * f101 * f001 * f120 + 2 * f101 * f101 * f020 -
+                            f021 * f001 * f200 + 2 * f011 * f011 * f200 - 2 * f011 * f001 * f210 + f002 * f020 * f200) /
+                          cube;
+  form.derivative(1, 3) =
+      -(f130 * square + 6 * f101 * f011 * f020 - 3 * f011 * f001 * f120 - 3 * f111 * f001 * f020 - f101 * f001 * f030) /
+      cube;
+  form.derivative(0, 4) = -(f040 * square + 3 * f002 * f020 * f020 - 6 * f021 * f001 * f020 - 4 * f011 * f001 * f030 +
+                            12 * f011 * f011 * f020) /
+                          cube;
 }
 
 } // namespace test

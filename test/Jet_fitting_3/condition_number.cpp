@@ -69,7 +69,7 @@ Columns triangle(Columns a)
 Wide ratio_of_singular_values(Columns a)
 {
   const std::size_t n = a.size();
-  for (bool rotated = true; rotated; ) {
+  for (bool rotated = true; rotated;) {
     rotated = false;
     for (std::size_t p = 0; p + 1 < n; ++p)
       for (std::size_t q = p + 1; q < n; ++q) {
@@ -112,15 +112,23 @@ Columns rounded_to_double(Columns r)
   return r;
 }
 
-enum class Spectrum { one_large, one_small, geometric, two_clusters };
+enum class Spectrum
+{
+  one_large,
+  one_small,
+  geometric,
+  two_clusters
+};
 
 std::vector<double> singular_values(std::size_t n, double condition_number, Spectrum spectrum)
 {
   std::vector<double> values(n, 1.);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool is_small = spectrum == Spectrum::one_large ? i > 0
-                        : spectrum == Spectrum::one_small ? i + 1 == n : i >= n / 2;
-    if (spectrum == Spectrum::geometric) values[i] = n == 1 ? 1 : std::pow(condition_number, -double(i) / (n - 1));
+    const bool is_small = spectrum == Spectrum::one_large   ? i > 0
+                          : spectrum == Spectrum::one_small ? i + 1 == n
+                                                            : i >= n / 2;
+    if (spectrum == Spectrum::geometric)
+      values[i] = n == 1 ? 1 : std::pow(condition_number, -double(i) / double(n - 1));
     else if (is_small && n > 1) values[i] = 1 / condition_number;
   }
   return values;
@@ -131,7 +139,8 @@ void prescribed_singular_values()
   std::mt19937 random(21);
   for (std::size_t n : {1, 2, 3, 6, 15, 28})
     for (double prescribed : {1., 1.5, 1e3, 1e7, 1e10, 1e13})
-      for (Spectrum spectrum : {Spectrum::one_large, Spectrum::one_small, Spectrum::geometric, Spectrum::two_clusters}) {
+      for (Spectrum spectrum :
+           {Spectrum::one_large, Spectrum::one_small, Spectrum::geometric, Spectrum::two_clusters}) {
         Columns a(n, std::vector<Wide>(n, Wide(0)));
         const std::vector<double> values = singular_values(n, prescribed, spectrum);
         for (std::size_t i = 0; i < n; ++i) a[i][i] = values[i];

@@ -17,10 +17,12 @@ namespace test {
 // A user's SvdTraits, with no more than the concept asks for. It counts its calls, and returns a condition number by
 // which one can tell that it was asked.
 template <class Number>
-struct Counting_svd {
+struct Counting_svd
+{
   using FT = Number;
 
-  class Vector {
+  class Vector
+  {
     std::vector<FT> m_v;
 
   public:
@@ -31,7 +33,8 @@ struct Counting_svd {
     FT* vector() { return m_v.data(); }
   };
 
-  class Matrix {
+  class Matrix
+  {
     std::vector<std::vector<FT>> m_columns;
 
   public:
@@ -43,7 +46,11 @@ struct Counting_svd {
     const std::vector<std::vector<FT>>& columns() const { return m_columns; }
   };
 
-  static int& calls() { static int count = 0; return count; }
+  static int& calls()
+  {
+    static int count = 0;
+    return count;
+  }
   static FT told_condition_number() { return FT(1234.5); }
 
   static FT solve(const Matrix& m, Vector& b)

@@ -42,32 +42,42 @@ constexpr bool same = std::is_same<A, B>::value;
 // Types and template parameters.
 static_assert(same<Fit, CGAL::Monge_via_jet_fitting<Kernel, CGAL::Simple_cartesian<double>, CGAL::Eigen_svd>>,
               "the defaults are those of CGAL's class");
-static_assert(same<Float_data::Data_kernel, CGAL::Simple_cartesian<float>> && same<Float_data::DFT, float>, "data kernel");
+static_assert(same<Float_data::Data_kernel, CGAL::Simple_cartesian<float>> && same<Float_data::DFT, float>,
+              "data kernel");
 static_assert(same<Float_data::Local_kernel, Kernel> && same<Float_data::FT, double>, "local kernel");
-static_assert(same<Float_data::Point_3, Kernel::Point_3> && same<Float_data::Vector_3, Kernel::Vector_3>, "local objects");
-static_assert(same<Float_data::LAVector, CGAL::Eigen_svd::Vector> && same<Float_data::LAMatrix, CGAL::Eigen_svd::Matrix>,
+static_assert(same<Float_data::Point_3, Kernel::Point_3> && same<Float_data::Vector_3, Kernel::Vector_3>,
+              "local objects");
+static_assert(same<Float_data::LAVector, CGAL::Eigen_svd::Vector> &&
+                  same<Float_data::LAMatrix, CGAL::Eigen_svd::Matrix>,
               "algebra");
 static_assert(same<Float_data::Aff_transformation, CGAL::Aff_transformation_3<Kernel>>, "transformation");
 static_assert(same<Float_data::L2D_NTconverter, CGAL::NT_converter<double, float>>, "number converter");
 static_assert(same<Float_data::Monge_form::FT, float> &&
-              same<Float_data::Monge_form::Point_3, CGAL::Simple_cartesian<float>::Point_3> &&
-              same<Float_data::Monge_form::Vector_3, CGAL::Simple_cartesian<float>::Vector_3>, "form in the data kernel");
+                  same<Float_data::Monge_form::Point_3, CGAL::Simple_cartesian<float>::Point_3> &&
+                  same<Float_data::Monge_form::Vector_3, CGAL::Simple_cartesian<float>::Vector_3>,
+              "form in the data kernel");
 static_assert(std::is_default_constructible<Fit>::value && std::is_copy_constructible<Fit>::value &&
-              std::is_copy_assignable<Fit>::value && std::is_default_constructible<Form>::value &&
-              std::is_copy_assignable<Form>::value, "both are values");
+                  std::is_copy_assignable<Fit>::value && std::is_default_constructible<Form>::value &&
+                  std::is_copy_assignable<Form>::value,
+              "both are values");
 
 // Reading copies nothing; writing is possible through the same names.
 using Const_form = const Form&;
 static_assert(same<decltype(std::declval<Const_form>().coefficients()), const std::vector<double>&> &&
-              same<decltype(std::declval<Form&>().coefficients()), std::vector<double>&>, "coefficients");
+                  same<decltype(std::declval<Form&>().coefficients()), std::vector<double>&>,
+              "coefficients");
 static_assert(same<decltype(std::declval<Const_form>().origin()), const Kernel::Point_3&> &&
-              same<decltype(std::declval<Form&>().origin()), Kernel::Point_3&>, "origin");
+                  same<decltype(std::declval<Form&>().origin()), Kernel::Point_3&>,
+              "origin");
 static_assert(same<decltype(std::declval<Const_form>().normal_direction()), const Kernel::Vector_3&> &&
-              same<decltype(std::declval<Form&>().normal_direction()), Kernel::Vector_3&>, "normal");
+                  same<decltype(std::declval<Form&>().normal_direction()), Kernel::Vector_3&>,
+              "normal");
 static_assert(same<decltype(std::declval<Const_form>().maximal_principal_direction()), const Kernel::Vector_3&> &&
-              same<decltype(std::declval<Form&>().maximal_principal_direction()), Kernel::Vector_3&>, "d1");
+                  same<decltype(std::declval<Form&>().maximal_principal_direction()), Kernel::Vector_3&>,
+              "d1");
 static_assert(same<decltype(std::declval<Const_form>().minimal_principal_direction()), const Kernel::Vector_3&> &&
-              same<decltype(std::declval<Form&>().minimal_principal_direction()), Kernel::Vector_3&>, "d2");
+                  same<decltype(std::declval<Form&>().minimal_principal_direction()), Kernel::Vector_3&>,
+              "d2");
 
 std::vector<Kernel::Point_3> samples()
 {
@@ -96,8 +106,10 @@ void as_users_call_it()
   check_equal(monge_form.coefficients().size(), 11u, "number of coefficients");
   check_equal(monge_form.principal_curvatures(0), monge_form.coefficients()[0], "k1");
   check_equal(monge_form.principal_curvatures(1), monge_form.coefficients()[1], "k2");
-  for (int i = 0; i < 4; ++i) check_equal(monge_form.third_order_coefficients(i), monge_form.coefficients()[2 + i], "b");
-  for (int i = 0; i < 5; ++i) check_equal(monge_form.fourth_order_coefficients(i), monge_form.coefficients()[6 + i], "c");
+  for (int i = 0; i < 4; ++i)
+    check_equal(monge_form.third_order_coefficients(i), monge_form.coefficients()[2 + i], "b");
+  for (int i = 0; i < 5; ++i)
+    check_equal(monge_form.fourth_order_coefficients(i), monge_form.coefficients()[6 + i], "c");
 
   Fit copy = monge_fit;
   check_equal(copy.condition_number(), monge_fit.condition_number(), "a copy remembers the condition number");
@@ -115,8 +127,9 @@ void writable_form()
 {
   Form form;
   check_true(form.origin() == Kernel::Point_3(0, 0, 0) && form.normal_direction() == CGAL::NULL_VECTOR &&
-             form.maximal_principal_direction() == CGAL::NULL_VECTOR &&
-             form.minimal_principal_direction() == CGAL::NULL_VECTOR && form.coefficients().empty(), "an empty form");
+                 form.maximal_principal_direction() == CGAL::NULL_VECTOR &&
+                 form.minimal_principal_direction() == CGAL::NULL_VECTOR && form.coefficients().empty(),
+             "an empty form");
   form.set_up(1);
   check_equal(form.coefficients().size(), 0u, "set_up(1)");
   form.set_up(2);

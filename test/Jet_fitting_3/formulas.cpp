@@ -29,7 +29,10 @@ jets::Jet<FT> jet_of(const std::vector<double>& A, int degree)
 }
 
 template <class FT>
-Vec3<Wide> wide(const jets::Vector_3<FT>& v) { return Vec3<Wide>(Vec3<FT>(v.x, v.y, v.z)); }
+Vec3<Wide> wide(const jets::Vector_3<FT>& v)
+{
+  return Vec3<Wide>(Vec3<FT>(v.x, v.y, v.z));
+}
 
 // The package's steps 3 and 4 in the number type FT.
 template <class FT>
@@ -51,8 +54,8 @@ Known_form<Wide> by_the_steps(const std::vector<double>& A, int degree, int orde
 
 Known_form<Wide> by_the_reference(const std::vector<double>& A, int order)
 {
-  return monge_form(std::vector<Wide>(A.begin(), A.end()), Vec3<Wide>(),
-                    rotation(Wide(1), Wide(0), Wide(0), Wide(0)), order);
+  return monge_form(std::vector<Wide>(A.begin(), A.end()), Vec3<Wide>(), rotation(Wide(1), Wide(0), Wide(0), Wide(0)),
+                    order);
 }
 
 void check_form(const Known_form<Wide>& found, const Known_form<Wide>& truth, double tolerance, const std::string& what)
@@ -60,8 +63,7 @@ void check_form(const Known_form<Wide>& found, const Known_form<Wide>& truth, do
   const Errors e = errors(found, truth);
   check_le(e.normal, tolerance, what + " normal");
   check_le(e.directions, tolerance, what + " directions");
-  for (int k = 2; k < int(e.absolute.size()); ++k)
-    check_le(e.relative(k), tolerance, what + " order " + text(k));
+  for (int k = 2; k < int(e.absolute.size()); ++k) check_le(e.relative(k), tolerance, what + " order " + text(k));
 }
 
 std::vector<double> random_jet(int degree, double size, std::mt19937& random)
@@ -131,7 +133,7 @@ void double_precision()
 void known_jets()
 {
   std::ifstream table("data/truth_sample.tsv");
-  for (std::string line; std::getline(table, line); ) {
+  for (std::string line; std::getline(table, line);) {
     const std::vector<std::string> column = split(line, '\t');
     if (column[0] != "tilted0" && column[0] != "steep" && column[0] != "mongeq2_0") continue;
     std::vector<double> A(coefficient_count(6), 0.);

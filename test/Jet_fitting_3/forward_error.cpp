@@ -19,7 +19,8 @@ using namespace test;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Fit = CGAL::Monge_via_jet_fitting<Kernel, CGAL::Simple_cartesian<double>, CGAL::Eigen_svd>;
 
-struct Bounds {
+struct Bounds
+{
   double h, normal, k, b, c;
 };
 
@@ -51,7 +52,8 @@ void same_data(const Known_surface<Wide>& surface, int d, const Bounds& bounds)
     const std::string order = what + (k == 3 ? ": b" : ": c");
     if (!nearly_vanishes(surface.form, k)) check_le(e.relative(k), bound[k], order);
     // there: not worse than Householder reflections on plainly rotated samples, to the luck of rounding
-    else check_le(e.absolute[k], 2 * errors(wide(reference_fit<double>(data, d, dprime).form), truth).absolute[k], order);
+    else
+      check_le(e.absolute[k], 2 * errors(wide(reference_fit<double>(data, d, dprime).form), truth).absolute[k], order);
   }
 }
 

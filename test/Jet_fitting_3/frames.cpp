@@ -19,15 +19,17 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Fit = CGAL::Monge_via_jet_fitting<Kernel, CGAL::Simple_cartesian<double>, CGAL::Eigen_svd>;
 
 template <class Vector>
-Vec3<double> vec(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+Vec3<double> vec(const Vector& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
 
 void check_frame(const Axes<double>& a, const std::string& what)
 {
   const Vec3<double>* v[] = {&a.x, &a.y, &a.z};
   double defect = 0;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      defect = std::max(defect, std::abs(dot(*v[i], *v[j]) - (i == j ? 1. : 0.)));
+    for (int j = 0; j < 3; ++j) defect = std::max(defect, std::abs(dot(*v[i], *v[j]) - (i == j ? 1. : 0.)));
   check_true(std::isfinite(length(a.x) + length(a.y) + length(a.z)), what + " is finite");
   check_le(defect, 1e-14, what + " is orthonormal");
   check_le(length(cross(a.x, a.y) - a.z), 1e-14, what + " is direct");
@@ -42,7 +44,8 @@ void check_frames(const std::vector<Vec3<double>>& samples, int d, int dprime, c
   check_frame({vec(fit.pca_basis(0).second), vec(fit.pca_basis(1).second), vec(fit.pca_basis(2).second)},
               "PCA frame: " + what + degrees);
   check_frame({vec(form.maximal_principal_direction()), vec(form.minimal_principal_direction()),
-               vec(form.normal_direction())}, "Monge frame: " + what + degrees);
+               vec(form.normal_direction())},
+              "Monge frame: " + what + degrees);
   check_ge(fit.pca_basis(0).first, fit.pca_basis(1).first, "descending variances: " + what);
   check_ge(fit.pca_basis(1).first, fit.pca_basis(2).first, "descending variances: " + what);
   check_ge(fit.pca_basis(2).first, 0., "no negative variance: " + what);
@@ -61,27 +64,34 @@ Known_form<double> second_order(double k1, double k2)
 
 int main()
 {
-  const struct { const char* name; Known_surface<double> surface; } shapes[] = {
-    {"plane", graph_of(second_order(0, 0), "plane")},
-    {"paraboloid", graph_of(second_order(1, 1), "paraboloid")},
-    {"saddle", graph_of(second_order(1, -1), "saddle")},
-    {"cylinder", graph_of(second_order(1, 0), "cylinder")}};
+  const struct
+  {
+    const char* name;
+    Known_surface<double> surface;
+  } shapes[] = {{"plane", graph_of(second_order(0, 0), "plane")},
+                {"paraboloid", graph_of(second_order(1, 1), "paraboloid")},
+                {"saddle", graph_of(second_order(1, -1), "saddle")},
+                {"cylinder", graph_of(second_order(1, 0), "cylinder")}};
   const auto sphere = [] {
     Known_surface<double> s;
     s.point = [](double u, double v) { return Vec3<double>(u, v, 1 - std::sqrt(1 - u * u - v * v)); };
     return s;
   }();
 
-  const struct { const char* name; Offsets offsets; } samplings[] = {
-    {"rings", hexagonal_rings(3, 0.1)},
-    {"small rings", hexagonal_rings(3, 1e-4)},
-    {"strip", stretched(sunflower(37, 0.5), 1, 1e-4)},
-    {"square grid", [] {
-       Offsets o{{0., 0.}};
-       for (int i = -3; i <= 3; ++i)
-         for (int j = -3; j <= 3; ++j) if (i || j) o.push_back({.1 * i, .1 * j});
-       return o;
-     }()}};
+  const struct
+  {
+    const char* name;
+    Offsets offsets;
+  } samplings[] = {{"rings", hexagonal_rings(3, 0.1)},
+                   {"small rings", hexagonal_rings(3, 1e-4)},
+                   {"strip", stretched(sunflower(37, 0.5), 1, 1e-4)},
+                   {"square grid", [] {
+                      Offsets o{{0., 0.}};
+                      for (int i = -3; i <= 3; ++i)
+                        for (int j = -3; j <= 3; ++j)
+                          if (i || j) o.push_back({.1 * i, .1 * j});
+                      return o;
+                    }()}};
 
   // rotations move the rounding errors about; equal eigenvalues make the directions depend on them
   std::mt19937 random(12);

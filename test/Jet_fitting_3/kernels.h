@@ -25,7 +25,8 @@ namespace test {
 using Double = CGAL::Simple_cartesian<double>;
 
 // A number of any kernel, without losing digits; lazy exact numbers are evaluated first.
-struct To_wide {
+struct To_wide
+{
   template <class Number>
   Wide operator()(const Number& x) const
   {
@@ -37,8 +38,7 @@ struct To_wide {
 inline std::vector<Vec3<double>> known_samples(const char* name = "ellipsoid1_0")
 {
   for (const auto& surface : known_surfaces<Wide>())
-    if (surface.name == name)
-      return rounded(sample(surface, sunflower(30, 0.25 * length_scale(surface.form))));
+    if (surface.name == name) return rounded(sample(surface, sunflower(30, 0.25 * length_scale(surface.form))));
   throw std::runtime_error(std::string("no surface ") + name);
 }
 
@@ -57,7 +57,8 @@ Known_form<Wide> fitted(const std::vector<typename Fit::Data_kernel::Point_3>& p
 
 // Relative errors of all orders below factor * epsilon * the loss of digits of that order: h^(2-k) lengths are
 // divided by, and the least squares problem amplifies.
-inline void check_digits(const Known_form<Wide>& found, const Known_form<Wide>& truth, double epsilon, const std::string& what)
+inline void check_digits(const Known_form<Wide>& found, const Known_form<Wide>& truth, double epsilon,
+                         const std::string& what)
 {
   const Errors e = errors(found, truth);
   check_le(e.normal, 20 * epsilon, what + " normal");

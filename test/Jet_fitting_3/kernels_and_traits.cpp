@@ -69,7 +69,8 @@ void exact_kernel()
       for (int power = 1; power < i + j; ++power) expected.derivative(i, j) *= 3;
   check_digits(fitted<Fit>(thirds), expected, 1e-15, "exact kernel, divided by 3 and moved");
 
-  const std::array<Exact::Vector_3, 3> axes{Exact::Vector_3(1, 0, 0), Exact::Vector_3(0, Exact::FT(3) / 5, Exact::FT(4) / 5),
+  const std::array<Exact::Vector_3, 3> axes{Exact::Vector_3(1, 0, 0),
+                                            Exact::Vector_3(0, Exact::FT(3) / 5, Exact::FT(4) / 5),
                                             Exact::Vector_3(0, -Exact::FT(4) / 5, Exact::FT(3) / 5)};
   const std::array<Double::Vector_3, 3> rounded_axes{Double::Vector_3(1, 0, 0), Double::Vector_3(0, .6, .8),
                                                      Double::Vector_3(0, -.8, .6)};
@@ -91,8 +92,8 @@ void users_traits()
   const auto points = as<Double::Point_3>(samples);
   Fit fit;
   for (int d = 1; d <= 6; ++d) {
-    const auto enough = as<Double::Point_3>(converted<double>(
-      rounded(sample(known_surfaces<Wide>().front(), sunflower(2 * coefficient_count(d), 0.05)))));
+    const auto enough = as<Double::Point_3>(
+        converted<double>(rounded(sample(known_surfaces<Wide>().front(), sunflower(2 * coefficient_count(d), 0.05)))));
     const int before = Counting_svd<double>::calls();
     fit(enough.begin(), enough.end(), d, 1);
     check_equal(Counting_svd<double>::calls(), before + 1, "calls of a user's traits, d = " + text(d));

@@ -22,11 +22,12 @@ inline std::size_t index_of(int i, int j) { return std::size_t(i + j) * (i + j +
 inline double factorial(int n) { return n < 2 ? 1. : n * factorial(n - 1); }
 
 template <class Real>
-struct Known_form {
+struct Known_form
+{
   Vec3<Real> origin;
-  Axes<Real> axes;       // (d1, d2, n), orthonormal and direct
-  int order = 0;         // derivatives are known up to this order
-  std::vector<Real> g;   // g[index_of(i, j)] is the derivative g_ij at the origin
+  Axes<Real> axes;     // (d1, d2, n), orthonormal and direct
+  int order = 0;       // derivatives are known up to this order
+  std::vector<Real> g; // g[index_of(i, j)] is the derivative g_ij at the origin
 
   Known_form() = default;
   explicit Known_form(int n) : order(n), g(index_of(n + 1, 0), Real(0)) {}
@@ -50,9 +51,7 @@ struct Known_form {
 template <class Real, class Form, class To_real>
 Known_form<Real> known_form(const Form& form, int order, To_real to_real)
 {
-  const auto vec = [&](const auto& v) {
-    return Vec3<Real>(to_real(v.x()), to_real(v.y()), to_real(v.z()));
-  };
+  const auto vec = [&](const auto& v) { return Vec3<Real>(to_real(v.x()), to_real(v.y()), to_real(v.z())); };
   Known_form<Real> known(order);
   known.origin = vec(form.origin());
   known.axes = {vec(form.maximal_principal_direction()), vec(form.minimal_principal_direction()),
@@ -62,8 +61,7 @@ Known_form<Real> known_form(const Form& form, int order, To_real to_real)
   known.derivative(2, 0) = to_real(c.at(0));
   known.derivative(0, 2) = to_real(c.at(1));
   for (int k = 3; k <= order; ++k)
-    for (int j = 0; j <= k; ++j)
-      known.derivative(k - j, j) = to_real(c.at(index_of(k - j, j) - 4));
+    for (int j = 0; j <= k; ++j) known.derivative(k - j, j) = to_real(c.at(index_of(k - j, j) - 4));
   return known;
 }
 
@@ -114,9 +112,10 @@ Known_form<Real> moved(const Known_form<Real>& form, const Axes<Real>& turn, con
 }
 
 // Absolute errors by order, and the size of the true values to divide them by.
-struct Errors {
+struct Errors
+{
   double origin = 0, normal = 0, directions = 0;
-  std::vector<double> absolute, size;   // by order: [2] curvatures, [3] b, [4] c, ...
+  std::vector<double> absolute, size; // by order: [2] curvatures, [3] b, [4] c, ...
 
   double relative(int k) const { return absolute[k] / size[k]; }
 };
@@ -126,9 +125,7 @@ Errors errors(const Known_form<Real>& form, const Known_form<Real>& truth)
 {
   using std::abs;
   const Known_form<Real> found = aligned(form, truth);
-  const auto distance = [](const Vec3<Real>& a, const Vec3<Real>& b) {
-    return static_cast<double>(length(a - b));
-  };
+  const auto distance = [](const Vec3<Real>& a, const Vec3<Real>& b) { return static_cast<double>(length(a - b)); };
   Errors e;
   e.origin = distance(found.origin, truth.origin);
   e.normal = distance(found.axes.z, truth.axes.z);

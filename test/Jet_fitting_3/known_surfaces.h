@@ -32,7 +32,7 @@ inline std::vector<std::string> split(const std::string& text, char separator)
 {
   std::vector<std::string> parts;
   std::istringstream in(text);
-  for (std::string part; std::getline(in, part, separator); ) parts.push_back(part);
+  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
   return parts;
 }
 
@@ -53,7 +53,8 @@ Vec3<Real> vector_of(const std::string& text)
 
 // An implicit surface F = 0 in its own coordinates: the value of F and its gradient.
 template <class Real>
-struct Implicit_value {
+struct Implicit_value
+{
   Real value;
   Vec3<Real> gradient;
 };
@@ -65,7 +66,11 @@ using Implicit = std::function<Implicit_value<Real>(const Vec3<Real>&)>;
 template <class Real>
 Implicit<Real> polynomial_graph(const std::string& terms)
 {
-  struct Term { int i, j; Real c; };
+  struct Term
+  {
+    int i, j;
+    Real c;
+  };
   std::vector<Term> polynomial;
   for (const std::string& term : split(terms, ';')) {
     const std::vector<std::string> part = split(term, ':');
@@ -102,8 +107,7 @@ Implicit<Real> torus(const Real& R, const Real& r)
   return [=](const Vec3<Real>& p) {
     const Real s = dot(p, p) + R * R - r * r;
     const Vec3<Real> flat(p.x, p.y, Real(0));
-    return Implicit_value<Real>{s * s - 4 * R * R * dot(flat, flat),
-                                (4 * s) * p - (8 * R * R) * flat};
+    return Implicit_value<Real>{s * s - 4 * R * R * dot(flat, flat), (4 * s) * p - (8 * R * R) * flat};
   };
 }
 
@@ -131,7 +135,8 @@ Implicit<Real> implicit_surface(const std::string& kind, const std::string& para
 
 // A surface known around one of its points: its form there, and the surface point over (u, v) of the tangent plane.
 template <class Real>
-struct Known_surface {
+struct Known_surface
+{
   std::string name;
   bool umbilic = false;
   Known_form<Real> form;
@@ -195,7 +200,7 @@ std::vector<Known_surface<Real>> known_surfaces(const std::string& path = "data/
   std::ifstream in(path);
   if (!in) throw std::runtime_error("cannot read " + path);
   std::vector<Known_surface<Real>> surfaces;
-  for (std::string line; std::getline(in, line); )
+  for (std::string line; std::getline(in, line);)
     if (line[0] != '#' && line.compare(0, 3, "id\t") != 0) surfaces.push_back(known_surface<Real>(line));
   return surfaces;
 }

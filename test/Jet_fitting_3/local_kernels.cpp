@@ -40,8 +40,8 @@ void wider_local(const std::string& name)
   const auto points = as<Double::Point_3>(samples);
   const auto estimate = Fit().estimate(points.begin(), points.end(), 4, 4);
   static_assert(std::is_same_v<std::decay_t<decltype(estimate.condition_number())>, Number>);
-  const Known_form<Wide> truth = aligned(reference_fit<Wide>(samples, 4, 4).form,
-                                         known_form<Wide>(estimate.monge_form(), 4, To_wide()));
+  const Known_form<Wide> truth =
+      aligned(reference_fit<Wide>(samples, 4, 4).form, known_form<Wide>(estimate.monge_form(), 4, To_wide()));
   const auto& c = estimate.monge_form().coefficients();
   check_near(c[0], static_cast<double>(truth.derivative(2, 0)), 2.3e-16 * std::abs(c[0]), name + " k1");
   check_near(c[1], static_cast<double>(truth.derivative(0, 2)), 2.3e-16 * std::abs(c[1]), name + " k2");
@@ -59,9 +59,9 @@ void users_traits_in_50_digits()
   Wide_fit wide_fit;
   const auto wide_form = wide_fit(points.begin(), points.end(), 4, 4);
   check_equal(Counting_svd<Float_50>::calls(), 1, "calls of a user's 50-digit traits");
-  check_near(wide_form.principal_curvatures(0), CGAL::Monge_via_jet_fitting<Double>()(points.begin(), points.end(), 4, 4).principal_curvatures(0), 1e-13,
+  check_near(wide_form.principal_curvatures(0),
+             CGAL::Monge_via_jet_fitting<Double>()(points.begin(), points.end(), 4, 4).principal_curvatures(0), 1e-13,
              "k1 by a user's 50-digit traits");
-
 }
 
 int main()

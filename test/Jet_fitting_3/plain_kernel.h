@@ -13,10 +13,12 @@
 namespace test {
 
 template <class Number>
-struct Plain_kernel {
+struct Plain_kernel
+{
   using FT = Number;
 
-  class Point_3 {
+  class Point_3
+  {
     FT m_x, m_y, m_z;
 
   public:
@@ -30,19 +32,22 @@ struct Plain_kernel {
 };
 
 template <class Data, class Local>
-struct Plain_converters {
-  struct D2L_converter {
+struct Plain_converters
+{
+  struct D2L_converter
+  {
     Local operator()(const Data& x) const { return static_cast<Local>(x); }
   };
-  struct L2D_converter {
+  struct L2D_converter
+  {
     Data operator()(const Local& x) const { return static_cast<Data>(x); }
   };
 };
 
 template <class Data, class Local>
-using Plain_fit = CGAL::Jet_fitting::Monge_via_jet_fitting<Plain_kernel<Data>, Plain_kernel<Local>,
-                                                           Plain_converters<Data, Local>,
-                                                           CGAL::Jet_fitting::Jacobi_svd<Local>>;
+using Plain_fit =
+    CGAL::Jet_fitting::Monge_via_jet_fitting<Plain_kernel<Data>, Plain_kernel<Local>, Plain_converters<Data, Local>,
+                                             CGAL::Jet_fitting::Jacobi_svd<Local>>;
 
 } // namespace test
 

@@ -25,9 +25,10 @@ using Wide = mp::number<mp::cpp_bin_float<60>, mp::et_off>;
 
 // A polynomial in x and y, truncated after a fixed degree.
 template <class Real>
-class Series {
+class Series
+{
   int m_degree;
-  std::vector<Real> m_c;    // coefficient of x^i y^j at index_of(i, j)
+  std::vector<Real> m_c; // coefficient of x^i y^j at index_of(i, j)
 
 public:
   explicit Series(int degree) : m_degree(degree), m_c(index_of(degree + 1, 0), Real(0)) {}
@@ -47,15 +48,15 @@ public:
     for (int i = 0; i <= m_degree; ++i)
       for (int j = 0; i + j <= m_degree; ++j)
         for (int k = 0; i + j + k <= m_degree; ++k)
-          for (int l = 0; i + j + k + l <= m_degree; ++l)
-            product(i + k, j + l) += (*this)(i, j) * b(k, l);
+          for (int l = 0; i + j + k + l <= m_degree; ++l) product(i + k, j + l) += (*this)(i, j) * b(k, l);
     return product;
   }
 };
 
 // The eigenvectors of a symmetric matrix by cyclic Jacobi rotations, largest eigenvalue first.
 template <class Real>
-struct Principal_axes {
+struct Principal_axes
+{
   std::array<Real, 3> variances;
   Axes<Real> axes;
 };
@@ -147,7 +148,7 @@ std::vector<Real> least_squares(std::vector<std::vector<Real>> columns, std::vec
     }
   }
   std::vector<Real> x(count);
-  for (std::size_t k = count; k-- > 0; ) {
+  for (std::size_t k = count; k-- > 0;) {
     Real sum = z[k];
     for (std::size_t j = k + 1; j < count; ++j) sum -= columns[j][k] * x[j];
     x[k] = sum / diagonal[k];
@@ -156,12 +157,13 @@ std::vector<Real> least_squares(std::vector<std::vector<Real>> columns, std::vec
 }
 
 template <class Real>
-struct Reference_fit {
+struct Reference_fit
+{
   Known_form<Real> form;
-  Axes<Real> basis;                  // the fitting basis
+  Axes<Real> basis; // the fitting basis
   std::array<Real, 3> variances{};
-  std::vector<Real> A;               // the jet's derivatives in the fitting basis
-  Real residual_rms;                 // root of the weighted mean of the squared residuals
+  std::vector<Real> A; // the jet's derivatives in the fitting basis
+  Real residual_rms;   // root of the weighted mean of the squared residuals
 };
 
 // The Monge axes of a jet, in the fitting basis, and its curvatures; n is on the side of +z.
@@ -243,8 +245,8 @@ Known_form<Real> monge_form(const std::vector<Real>& A, const Vec3<Real>& p, con
 
 // Fits the points in a given basis; weights multiply the squared residuals.
 template <class Real, class Number>
-Reference_fit<Real> reference_fit(const std::vector<Vec3<Number>>& points, int d, int dprime,
-                                  const Axes<Real>& basis, const std::vector<double>& weights = {})
+Reference_fit<Real> reference_fit(const std::vector<Vec3<Number>>& points, int d, int dprime, const Axes<Real>& basis,
+                                  const std::vector<double>& weights = {})
 {
   using std::abs;
   using std::sqrt;

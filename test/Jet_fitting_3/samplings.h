@@ -48,7 +48,7 @@ inline Offsets hexagonal_rings(int rings, double h)
 }
 
 // Uniform in [0, 1): the standard's distributions differ between libraries, its engines do not.
-inline double uniform(std::mt19937& random) { return random() / 4294967296.; }
+inline double uniform(std::mt19937& random) { return double(random()) / 4294967296.; }
 
 // A grid of side * side points (side odd) over the square of half width h, each moved by up to 30 % of a cell.
 inline Offsets jittered_grid(int side, double h, std::mt19937& random)
@@ -58,8 +58,7 @@ inline Offsets jittered_grid(int side, double h, std::mt19937& random)
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j) {
       const double du = .6 * (uniform(random) - .5), dv = .6 * (uniform(random) - .5);
-      if (i != side / 2 || j != side / 2)
-        offsets.push_back({cell * (i + du) - h, cell * (j + dv) - h});
+      if (i != side / 2 || j != side / 2) offsets.push_back({cell * (i + du) - h, cell * (j + dv) - h});
     }
   return offsets;
 }
@@ -113,8 +112,7 @@ template <class Real>
 Axes<Real> random_rotation(std::mt19937& random)
 {
   std::array<double, 4> q;
-  for (double& x : q)
-    x = std::sqrt(-2 * std::log(1 - uniform(random))) * std::cos(2 * pi * uniform(random));
+  for (double& x : q) x = std::sqrt(-2 * std::log(1 - uniform(random))) * std::cos(2 * pi * uniform(random));
   return rotation<Real>(Real(q[0]), Real(q[1]), Real(q[2]), Real(q[3]));
 }
 

@@ -72,7 +72,8 @@ void smallest_solutions_agree(const std::string& names)
   std::vector<Kernel::Point_3> points{{0, 0, 0}};
   for (int i = -2; i <= 2; ++i)
     for (int j = -1; j <= 1; ++j)
-      if (i || j) points.emplace_back(.25 * i, .25 * j, .0625 * i * i - .03125 * j * j + .015625 * i * i * i + .03125 * j);
+      if (i || j)
+        points.emplace_back(.25 * i, .25 * j, .0625 * i * i - .03125 * j * j + .015625 * i * i * i + .03125 * j);
   const std::array<Vector, 3> axes{Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)};
   const auto a = Fit_with<Traits>().estimate(points.begin(), points.end(), 3, 3, axes);
   const auto b = Fit_with<Other>().estimate(points.begin(), points.end(), 3, 3, axes);

@@ -29,7 +29,7 @@ Offsets disc(int d, double h) { return sunflower(2 * coefficient_count(d), h); }
 // Double precision: errors stay below C (h / rho)^(d-k+1), in units of the surface's length scale rho.
 void bounds()
 {
-  const double C[] = {0, 1, 2, 10, 50};   // by order; order 1 is the normal
+  const double C[] = {0, 1, 2, 10, 50}; // by order; order 1 is the normal
   for (const auto& surface : known_surfaces<double>()) {
     if (surface.umbilic) continue;
     const double rho = length_scale(surface.form);

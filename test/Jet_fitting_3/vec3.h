@@ -13,15 +13,16 @@
 namespace test {
 
 template <class Real>
-struct Vec3 {
+struct Vec3
+{
   Real x{}, y{}, z{};
 
   Vec3() = default;
   Vec3(const Real& x_, const Real& y_, const Real& z_) : x(x_), y(y_), z(z_) {}
 
   template <class Other>
-  explicit Vec3(const Vec3<Other>& v)
-    : x(static_cast<Real>(v.x)), y(static_cast<Real>(v.y)), z(static_cast<Real>(v.z)) {}
+  explicit Vec3(const Vec3<Other>& v) : x(static_cast<Real>(v.x)), y(static_cast<Real>(v.y)), z(static_cast<Real>(v.z))
+  {}
 };
 
 template <class Real>
@@ -75,7 +76,8 @@ Vec3<Real> normalized(const Vec3<Real>& a)
 
 // Three axes; a point is origin + x * axis[0] + y * axis[1] + z * axis[2].
 template <class Real>
-struct Axes {
+struct Axes
+{
   Vec3<Real> x, y, z;
 
   Vec3<Real> to_world(const Vec3<Real>& v) const { return v.x * x + v.y * y + v.z * z; }
