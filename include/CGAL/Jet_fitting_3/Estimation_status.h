@@ -31,8 +31,9 @@ enum class Status_flag : std::uint16_t
   /// The points lie mostly on one side, as at the boundary of a surface: the mean of their offsets is above 0.45 times
   /// the root of their mean squared distance (0.6 in the middle of the border of a half disc). Errors are many times larger.
   one_sided = 64,
-  /// k1 - k2 is not above what the residual leaves open (2 rms / h^2, h^2 being the variance of the points in their
-  /// plane) or one millionth of the curvatures: the principal directions mean little.
+  /// Principal directions mean little. Either k1 and k2 differ by less than a tenth of the larger one, and by no more
+  /// than the residual leaves open, which is about 3 d rms / h^2 (h^2 being the variance of the points in their plane),
+  /// or both are below that, as on a plane.
   near_umbilic = 128,
   /// The variance of the points across their plane is above a quarter of that along its narrower axis: the direction
   /// in which heights are measured may be far from the normal.

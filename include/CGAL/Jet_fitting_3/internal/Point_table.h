@@ -54,6 +54,13 @@ public:
   Vector_3<double> place(Index i) const { return {double(m_points[i].x), double(m_points[i].y), double(m_points[i].z)}; }
 
 private:
+  /// No digit of a float is lost.
+  static double difference(FT from, FT to)
+  {
+    using Wider = std::common_type_t<FT, double>;
+    return double(Wider(to) - Wider(from));
+  }
+
   std::vector<Vector_3<FT>> m_points;
 };
 
