@@ -57,10 +57,10 @@ public:
     Point_3 point;
   };
 
-  /// The surface of a fit.
-  /// \param p the point of the fit, the first of its points
-  Jet_surface(const typename Fitting::Estimate& estimate, const Point_3& p)
-    : Jet_surface(p, estimate.details().fitting.axes, estimate.jet(), radius_of(estimate.details().fitting))
+  /// The surface of a fit; p is the first of its points.
+  explicit Jet_surface(const typename Fitting::Estimate& estimate)
+    : Jet_surface(estimate.point(), estimate.details().fitting.axes, estimate.jet(),
+                  radius_of(estimate.details().fitting))
   {}
 
   /// The surface z = g(x, y) of a Monge form over its tangent plane, u and v running along d1 and d2: for the forms of
@@ -208,8 +208,8 @@ private:
   {
     const Number cx = dot(fitting.centroid, fitting.axes.x), cy = dot(fitting.centroid, fitting.axes.y);
     const Number unit = numeric::power_of_two_above(
-      numeric::larger(numeric::square_root(numeric::larger(fitting.variances[0], fitting.variances[1])),
-                      numeric::larger(numeric::absolute(cx), numeric::absolute(cy))));
+        numeric::larger(numeric::square_root(numeric::larger(fitting.variances[0], fitting.variances[1])),
+                        numeric::larger(numeric::absolute(cx), numeric::absolute(cy))));
     const Number mean_square = fitting.variances[0] / unit / unit + fitting.variances[1] / unit / unit +
                                (cx / unit) * (cx / unit) + (cy / unit) * (cy / unit);
     return numeric::square_root(Number(Number(2) * mean_square)) * unit;
@@ -237,10 +237,7 @@ private:
     return jet;
   }
 
-  Place<Number> place(const FT& u, const FT& v) const
-  {
-    return {Number(D2L()(u)) / m_unit, Number(D2L()(v)) / m_unit};
-  }
+  Place<Number> place(const FT& u, const FT& v) const { return {Number(D2L()(u)) / m_unit, Number(D2L()(v)) / m_unit}; }
 
   /// Coordinates of q in the basis, in the unit.
   Vector local(const Point_3& q) const

@@ -75,7 +75,7 @@ template <class FT>
 struct Squared_distance
 {
   FT half, gradient_u, gradient_v, uu, uv, vv;
-  FT rounding; ///< in the gradient
+  FT half_rounding, gradient_rounding; ///< what rounding may have done to `half` and to the gradient
 };
 
 template <class FT>
@@ -84,15 +84,18 @@ Squared_distance<FT> squared_distance(const Jet<FT>& jet, const Vector_3<FT>& q,
   const Jet<FT> j = jet_at(jet, at, 2);
   const Vector_3<FT> r{at.u - q.x, at.v - q.y, j(0, 0) - q.z};
   const FT ju = j(1, 0), jv = j(0, 1);
-  const FT sizes = numeric::absolute(at.u) + numeric::absolute(at.v) + numeric::absolute(q.x) +
-                   numeric::absolute(q.y) + numeric::absolute(q.z) + numeric::absolute(j(0, 0));
-  return {FT(0.5) * dot(r, r),
+  const FT half = FT(0.5) * dot(r, r);
+  const FT sizes = numeric::absolute(at.u) + numeric::absolute(at.v) + numeric::absolute(q.x) + numeric::absolute(q.y) +
+                   numeric::absolute(q.z) + numeric::absolute(j(0, 0));
+  const FT rounding = FT(16) * FT(numeric::epsilon<FT>()) * sizes;
+  return {half,
           r.x + r.z * ju,
           r.y + r.z * jv,
           FT(1) + ju * ju + r.z * j(2, 0),
           ju * jv + r.z * j(1, 1),
           FT(1) + jv * jv + r.z * j(0, 2),
-          FT(16) * FT(numeric::epsilon<FT>()) * sizes * (FT(1) + numeric::absolute(ju) + numeric::absolute(jv))};
+          rounding * (numeric::square_root(half) + rounding),
+          rounding * (FT(1) + numeric::absolute(ju) + numeric::absolute(jv))};
 }
 
 /// The place, or the nearest one on the border of the disc.
@@ -127,11 +130,11 @@ Place<FT> step_downhill(const Squared_distance<FT>& f, const FT& radius)
 template <class FT>
 std::optional<Place<FT>> closest_place(const Jet<FT>& jet, const Vector_3<FT>& q, const FT& radius)
 {
-  const FT epsilon(numeric::epsilon<FT>());
   Place<FT> place = moved_into_disc(Place<FT>{q.x, q.y}, radius);
   Squared_distance<FT> here = squared_distance(jet, q, place);
   for (int iteration = 0; iteration < 100; ++iteration) {
-    const bool is_stationary = numeric::absolute(here.gradient_u) + numeric::absolute(here.gradient_v) <= here.rounding;
+    const bool is_stationary =
+        numeric::absolute(here.gradient_u) + numeric::absolute(here.gradient_v) <= here.gradient_rounding;
     const bool is_convex = here.uu + here.vv > FT(0) && here.uu * here.vv >= here.uv * here.uv;
     if (is_stationary && is_convex) return place;
 
@@ -140,7 +143,7 @@ std::optional<Place<FT>> closest_place(const Jet<FT>& jet, const Vector_3<FT>& q
     for (int halving = 0; !is_lower && halving < 60; ++halving) {
       const Place<FT> next = moved_into_disc(Place<FT>{place.u + step.u, place.v + step.v}, radius);
       const Squared_distance<FT> there = squared_distance(jet, q, next);
-      is_lower = there.half <= here.half * (FT(1) + FT(4) * epsilon) && (next.u != place.u || next.v != place.v);
+      is_lower = there.half <= here.half + here.half_rounding && (next.u != place.u || next.v != place.v);
       if (is_lower) {
         place = next;
         here = there;
