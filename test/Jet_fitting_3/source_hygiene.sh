@@ -64,7 +64,7 @@ done | awk '
     sub(/^CGAL\/Jet_fitting_3\//, "", path)
     if (path ~ /^(internal|neighborhoods)\// || path == "ridges.h") return "CGAL side"
     if (path ~ /\//) { sub(/\/.*/, "", path); return path }
-    if (path == "Fit_options.h") return "values"
+    if (path == "Fit_options.h" || path == "Invalid_input.h") return "values"
     return path == "estimation.h" ? "estimation" : "class"
   }
   BEGIN {

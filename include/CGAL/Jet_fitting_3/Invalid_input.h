@@ -7,8 +7,10 @@
 #ifndef CGAL_JET_FITTING_3_INVALID_INPUT_H
 #define CGAL_JET_FITTING_3_INVALID_INPUT_H
 
+#include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -45,15 +47,22 @@ inline void check_number_of_samples(std::size_t n, std::size_t d)
                         std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));
 }
 
-/// One weight for each of n points, finite and not negative. \throw Invalid_input otherwise
-inline void check_weights(const std::vector<double>& weights, std::size_t n)
+/// \throw Invalid_input unless there is one weight for each of n points, finite and not negative
+/// \return a factor, a power of four, that brings the largest weight near 1. Only their ratios matter, and sums and
+///         square roots of weights so multiplied neither overflow nor change a digit
+inline double normalization_of_weights(const std::vector<double>& weights, std::size_t n)
 {
   if (weights.size() != n)
     throw Invalid_input("there are " + std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
-  for (std::size_t i = 0; i < n; ++i)
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
     if (!(weights[i] >= 0) || std::isinf(weights[i]))
       throw Invalid_input("weight " + std::to_string(i) + " of " + std::to_string(n) +
                           " must be finite and not negative: got " + std::to_string(weights[i]));
+    largest = (std::max)(largest, weights[i]);
+  }
+  const double root = numeric::power_of_two_above(std::sqrt(largest));
+  return 1 / (root * root);
 }
 
 } // namespace Jet_fitting

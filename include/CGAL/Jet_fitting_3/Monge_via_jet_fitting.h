@@ -67,9 +67,9 @@ template <class FT>
 void set_point_weights(Samples<FT>& samples, const std::vector<double>& weights)
 {
   if (weights.empty()) return;
-  check_weights(weights, samples.size());
+  const double factor = normalization_of_weights(weights, samples.size());
   samples.make_weighted();
-  for (std::size_t i = 0; i < samples.size(); ++i) samples.set_weight(i, FT(weights[i]));
+  for (std::size_t i = 0; i < samples.size(); ++i) samples.set_weight(i, FT(factor * weights[i]));
 }
 
 /// Writes the result of an estimation relative to p into a form, whose storage is used again.

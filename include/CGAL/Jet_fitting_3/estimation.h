@@ -66,6 +66,7 @@ Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT
     sums.number_of_samples =
         sums.number_of_samples + numeric::select(samples.weight(i) > FT(0), robust, FT(0));
   }
+  sums.weights = numeric::select(sums.weights > FT(0), sums.weights, FT(1)); // then all residuals count as 0
   return sums;
 }
 

@@ -159,7 +159,8 @@ public:
   Block_fitter(const Point_table<DataKernel>& points, std::size_t d, std::size_t dprime, const Options& options)
     : m_points(points), m_d(d), m_dprime(dprime), m_options(options)
   {
-    if (!options.point_weights.empty()) check_weights(options.point_weights, points.size());
+    if (!options.point_weights.empty())
+      m_weight_factor = normalization_of_weights(options.point_weights, points.size());
   }
 
   bool reports_quality() const { return m_options.report_quality || m_options.standard_errors; }
@@ -215,7 +216,10 @@ private:
     }
   }
 
-  FT weight(Index i) const { return m_options.point_weights.empty() ? FT(1) : FT(m_options.point_weights[i]); }
+  FT weight(Index i) const
+  {
+    return m_options.point_weights.empty() ? FT(1) : FT(m_weight_factor * m_options.point_weights[i]);
+  }
 
   template <class Condition_number>
   void set(Fit<DataKernel>& fit, const Estimation<FT>& estimation, std::size_t number_of_points,
@@ -297,6 +301,7 @@ private:
   const Point_table<DataKernel>& m_points;
   std::size_t m_d, m_dprime;
   const Options& m_options;
+  double m_weight_factor = 1;
   Rows_by_length m_order;
   Samples<Pack> m_samples;
   Abstaining_solver<Pack> m_solver;

@@ -8,22 +8,31 @@
 #define CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
 
 #include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace Jet_fitting {
 
 /// The weight at distance t from p, 0 <= t <= 1, as Fit_options says.
+/// \throw Invalid_input if the user's function gives a weight that is negative or not finite
 template <class FT>
 FT weight_at_distance(const FT& t, const Fit_options& options)
 {
   using Number = typename numeric::Lanes<FT>::Number;
   if (options.weight_of_distance)
-    return numeric::by_lane(t, [&](const Number& x) { return Number(options.weight_of_distance(double(x))); });
+    return numeric::by_lane(t, [&](const Number& x) {
+      const double weight = options.weight_of_distance(double(x));
+      if (!(weight >= 0) || std::isinf(weight))
+        throw Invalid_input("weight_of_distance must give finite weights that are not negative: at " +
+                            std::to_string(double(x)) + " it gives " + std::to_string(weight));
+      return Number(weight);
+    });
   switch (options.weighting) {
   case Weighting::gaussian:
     return numeric::by_lane(t, [](const Number& x) {

@@ -30,12 +30,13 @@ public:
   bool is_weighted() const { return !m_weights.empty(); }
   FT weight(std::size_t i) const { return is_weighted() ? m_weights[i] : FT(1); }
 
+  /// Sum of the weights; 1 where all are 0, since it is there to divide by.
   FT total_weight() const
   {
     if (!is_weighted()) return FT(double(size()));
     FT total(0);
     for (const FT& weight : m_weights) total = total + weight;
-    return total;
+    return numeric::select(total > FT(0), total, FT(1));
   }
 
   /// Coordinates and weights are indeterminate until set.
