@@ -9,6 +9,7 @@
 
 #include "analytic_meshes.h"
 #include "check.h"
+#include "same_form.h"
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
@@ -56,29 +57,6 @@ Form_of<Mesh> fitted_alone(const std::vector<Vertex_of<Mesh>>& vertices, const P
   std::vector<typename Kernel_of<Mesh>::Point_3> points;
   for (Vertex_of<Mesh> v : vertices) points.push_back(get(point_map, v));
   return CGAL::Monge_via_jet_fitting<Kernel_of<Mesh>>().estimate(points.begin(), points.end(), d, dprime).monge_form();
-}
-
-// The same form to rounding: for each order the difference is small beside the largest coefficient of any order there,
-// in the length unit `size` of the neighbourhood.
-template <class Form>
-void check_same_form(const Form& form, const Form& expected, double size, const std::string& what)
-{
-  const auto vec = [](const auto& v) {
-    return Point(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
-  };
-  if (!check_equal(form.coefficients().size(), expected.coefficients().size(), what + ": number of coefficients")) return;
-  check_le(length(vec(form.origin()) - vec(expected.origin())), 1e-10 * size, what + ": origin");
-  check_le(length(vec(form.normal_direction()) - vec(expected.normal_direction())), 1e-10, what + ": normal");
-  double power = 1, largest = 0, difference = 0;
-  for (std::size_t k = 2; k <= expected.degree(); ++k) {
-    power *= size;
-    for (std::size_t j = 0; j <= k; ++j) {
-      const double g = CGAL::to_double(expected.derivative(k - j, j));
-      largest = std::max(largest, power * std::abs(g));
-      difference = std::max(difference, power * std::abs(CGAL::to_double(form.derivative(k - j, j)) - g));
-    }
-  }
-  check_le(difference, 1e-9 * largest, what + ": coefficients");
 }
 
 // Away from umbilics: there the principal directions, and all that is told in them, turn with the rounding errors.
