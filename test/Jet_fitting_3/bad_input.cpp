@@ -63,7 +63,7 @@ void counts_and_degrees(const std::string& door)
   check_refused<Fit>(twenty, 2, 3, {"d' = 3", "d = 2"}, door + "d' > d");
   check_refused<Fit>(twenty, minus_one, 1, {text(minus_one)}, door + "d = -1");
   check_refused<Fit>(twenty, minus_one - 1, 1, {text(minus_one - 1)}, door + "d = -2");
-  check_refused<Fit>(twenty, std::size_t(1) << 32, 2, {text(std::size_t(1) << 32), "20"}, door + "d = 2^32");
+  check_refused<Fit>(twenty, std::size_t(1) << 32, 2, {text(std::size_t(1) << 32)}, door + "d = 2^32");
   check_refused<Fit>(twenty, minus_one, minus_one, {text(minus_one)}, door + "d = d' = -1");
 }
 
