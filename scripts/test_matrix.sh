@@ -1,0 +1,117 @@
+#!/bin/sh
+# Runs the tests on other versions of CGAL and Eigen, other compilers and options, and prints a table.
+# usage: test_matrix.sh [all|subset]     (default: all; "subset" is what the continuous integration has time for)
+# CGAL 5.5 is the one of this system; those of Debian's trixie and sid are unpacked into the build folder, once.
+# Exits with 77 if every row had to be left out.
+# shellcheck source=scripts/lib.sh
+. "$(dirname "$0")/lib.sh"
+
+# CGAL     compiler standard flags   optional assertions programs
+#   flags       O0, O2, native (-O3 -march=native), plain (-O2 -march=native -ffp-contract=off)
+#   optional    all, or none: without TBB and LAPACK
+#   programs    yes: also CGAL's own programs, on its header and on ours
+# Each pair of two settings (programs apart) occurs in at least one row of "all"; "subset" is the rows marked with *.
+rows='
+system  g++     20 native none off no
+system  clang++ 17 O0     all  on  no
+system  clang++ 20 plain  none off yes
+system  g++     17 O2     none off no
+trixie  g++     17 plain  all  on  yes
+trixie  clang++ 20 native all  off no
+trixie  clang++ 17 O2     none on  no  *
+trixie  g++     20 O0     none off no
+sid     g++     20 O2     all  on  no
+sid     clang++ 17 native none off yes *
+sid     g++     17 O0     all  off no
+sid     clang++ 20 plain  all  on  no
+system  g++     17 native all  on  yes
+system  clang++ 20 O2     all  off no
+'
+
+matrix=$build/matrix
+mkdir -p "$matrix"
+table=$matrix/results.txt
+printf '%-8s %-9s %-7s %-3s %-7s %-8s %-10s %-8s %s\n' \
+  suite CGAL comp. C++ flags optional assertions programs result > "$table"
+
+# The arguments that make CMake take CGAL and Eigen from the unpacked packages of a suite.
+cgal_arguments() {
+  [ "$1" != system ] || return 0
+  folder=$(BUILD_DIR=$build sh "$root/scripts/fetch_cgal.sh" "$1") || return $?
+  echo "-DCGAL_DIR=$(dirname "$(find "$folder/usr" -name CGALConfig.cmake)")"
+  echo "-DEigen3_DIR=$(dirname "$(find "$folder/usr" -name Eigen3Config.cmake)")"
+  echo "-DEIGEN3_INCLUDE_DIR=$folder/usr/include/eigen3"
+  echo "-DCGAL_DEMO_ARCHIVES_DIR=$folder/usr/share/doc/libcgal-dev"
+}
+
+flags_of() {
+  case $1 in
+    O0) echo -O0 ;;
+    O2) echo -O2 ;;
+    native) echo -O3 -march=native ;;
+    plain) echo -O2 -march=native -ffp-contract=off ;;
+  esac
+}
+
+# Builds and tests one row; sets result and version.
+run_row() {
+  log=$matrix/$name.log
+  version=-
+  if ! command -v "$compiler" > /dev/null; then
+    result="left out: there is no $compiler"
+    return
+  fi
+  if ! arguments=$(cgal_arguments "$suite"); then
+    result="left out: the packages of $suite cannot be reached"
+    return
+  fi
+  flags=$(flags_of "$flags")
+  [ "$assertions" = on ] || flags="$flags -DNDEBUG"
+  disable=OFF
+  [ "$optional" = all ] || disable=ON
+  excluded='^(source_hygiene.*|install_consumer|matrix_subset)$'
+  [ "$programs" = yes ] || excluded='^(source_hygiene.*|install_consumer|matrix_subset|cgal_programs)$'
+  start=$(date +%s)
+  # shellcheck disable=SC2086
+  if ! cmake --preset test -B "$matrix/$name" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_STANDARD="$standard" \
+      -DCMAKE_CXX_FLAGS_DEBUG="$flags" $arguments -DCMAKE_DISABLE_FIND_PACKAGE_TBB=$disable \
+      -DCMAKE_DISABLE_FIND_PACKAGE_LAPACKE=$disable > "$log" 2>&1; then
+    result="FAILED to configure: $log"
+    return
+  fi
+  version=$(sed -n 's/^jet_fitting_3_cgal_version:INTERNAL=//p' "$matrix/$name/CMakeCache.txt")
+  cmake --build "$matrix/$name" -j "$jobs" -- -k >> "$log" 2>&1 || true
+  if ctest --test-dir "$matrix/$name" -j "$jobs" -E "$excluded" --output-on-failure >> "$log" 2>&1; then
+    verdict=passed
+  else
+    verdict=FAILED
+  fi
+  result="$verdict: $(sed -n 's/^\([0-9]*%\) tests passed, \([0-9]*\) tests failed out of \([0-9]*\).*/\2 of \3 failed/p' "$log" |
+    tail -n 1), $(($(date +%s) - start)) s"
+  [ "$verdict" = passed ] || result="$result: $(sed -n '/^The following tests FAILED/,$s/^[ \t]*[0-9]* - \([^ ]*\).*/\1/p' "$log" | tr '\n' ' ')"
+}
+
+wanted=${1:-all}
+failed=0
+done=0
+while read -r suite compiler standard flags optional assertions programs mark; do
+  [ -n "$suite" ] || continue
+  [ "$wanted" = all ] || [ "$mark" = '*' ] || continue
+  name=$suite-$compiler-$standard-$flags-$optional-$assertions
+  line="$compiler $standard $flags $optional $assertions $programs"
+  say "$suite $line"
+  run_row
+  # shellcheck disable=SC2086
+  printf '%-8s %-9s %-7s %-3s %-7s %-8s %-10s %-8s %s\n' "$suite" "$version" $line "$result" | tee -a "$table"
+  case $result in
+    passed*) done=$((done + 1)) ;;
+    FAILED*) failed=$((failed + 1)) ;;
+  esac
+done << EOT
+$rows
+EOT
+
+say "the table is in $table, a log of each row beside it:"
+cat "$table"
+[ "$failed" -eq 0 ] || exit 1
+[ "$done" -gt 0 ] || exit 77
