@@ -29,6 +29,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgJetFitting3All
 /// Estimates the Monge form at every point of a set, from the points in its neighbourhood: normal, principal curvatures
 /// and directions, and the derivatives of the curvatures.
 ///
@@ -117,6 +118,7 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
   return summary;
 }
 
+/// \ingroup PkgJetFitting3All
 /// The same with options and no named parameters.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Neighborhood, class OutputIterator>
 auto estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighborhood, OutputIterator output,

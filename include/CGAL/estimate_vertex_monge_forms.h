@@ -29,6 +29,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgJetFitting3All
 /// Estimates the Monge form at every vertex of a mesh, from the vertices in its neighbourhood: normal, principal
 /// curvatures and directions, and the derivatives of the curvatures.
 ///
@@ -118,6 +119,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   return summary;
 }
 
+/// \ingroup PkgJetFitting3All
 /// The same with options and no named parameters.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighborhood, class VertexFormMap>
 auto estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborhood, VertexFormMap vertex_form_map,

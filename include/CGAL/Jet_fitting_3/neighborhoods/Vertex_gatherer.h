@@ -20,6 +20,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// Gathers neighbourhoods of single vertices: what estimate_vertex_monge_forms() does for all.
 /// The mesh is copied into compact tables once, in linear time; it must not change as long as the object is used. Each
 /// thread needs an object of its own.
@@ -31,8 +32,10 @@ class Vertex_gatherer
   using Setting = internal::Mesh_setting<Mesh, NamedParameters>;
 
 public:
+  /// A vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
+  /// \param mesh copied into tables, but vertices are still asked of it
   /// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
   ///        estimate_vertex_monge_forms()
   explicit Vertex_gatherer(const Mesh& mesh, const NamedParameters& np = parameters::default_values())
@@ -44,6 +47,8 @@ public:
 
   /// Replaces the contents of `vertices` by the neighbourhood of v, v itself first.
   /// \param neighborhood k_rings(), enough_rings(), nearest() or within_radius()
+  /// \param v a vertex of the mesh
+  /// \param vertices the result, whose storage is used again
   /// \throw Invalid_input if v is not a vertex of the mesh
   template <class Neighborhood>
   void operator()(const Neighborhood& neighborhood, vertex_descriptor v, std::vector<vertex_descriptor>& vertices)

@@ -17,15 +17,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// A neighbourhood of a vertex of a mesh: see enough_rings().
 class Enough_rings
 {
 public:
+  /// As enough_rings() makes it.
   explicit Enough_rings(std::ptrdiff_t n) : m_n(std::size_t(n))
   {
     if (n < 1) throw Invalid_input("enough_rings(n) needs n >= 1: got " + std::to_string(n));
   }
 
+  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
     -> decltype(gatherer.enough_rings(seed, std::size_t(), output))
@@ -37,6 +40,7 @@ private:
   std::size_t m_n;
 };
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// As many complete rings as it takes to have n points or more, the vertex itself among them. Fewer than n points only
 /// where the connected component has no more.
 /// \throw Invalid_input if n < 1

@@ -17,15 +17,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// A neighbourhood of a vertex of a mesh: see k_rings().
 class K_rings
 {
 public:
+  /// As k_rings() makes it.
   explicit K_rings(std::ptrdiff_t k) : m_k(std::size_t(k))
   {
     if (k < 1) throw Invalid_input("k_rings(k) needs k >= 1: got " + std::to_string(k));
   }
 
+  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
     -> decltype(gatherer.k_rings(seed, std::size_t(), output))
@@ -37,6 +40,7 @@ private:
   std::size_t m_k;
 };
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// The vertices at most k edges away. All of them: an incomplete last ring would make the neighbourhood one-sided. On
 /// a triangle mesh with vertices of degree 6 that is 1 + 3k(k+1) points: 7, 19, 37, 61.
 /// \throw Invalid_input if k < 1

@@ -17,15 +17,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// A neighbourhood of a vertex of a mesh or of a point of a point set: see nearest().
 class Nearest
 {
 public:
+  /// As nearest() makes it.
   explicit Nearest(std::ptrdiff_t k) : m_k(std::size_t(k))
   {
     if (k < 1) throw Invalid_input("nearest(k) needs k >= 1: got " + std::to_string(k));
   }
 
+  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
     -> decltype(gatherer.nearest(seed, std::size_t(), output))
@@ -37,6 +40,7 @@ private:
   std::size_t m_k;
 };
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// The k points at the smallest Euclidean distance, the point itself among them; fewer where there are no more.
 ///
 /// Of a point set: points at the same place count as one, so that duplicates do no harm.

@@ -16,15 +16,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// A neighbourhood of a vertex of a mesh or of a point of a point set: see within_radius().
 class Within_radius
 {
 public:
+  /// As within_radius() makes it.
   explicit Within_radius(double radius) : m_radius(radius)
   {
     if (!(radius > 0)) throw Invalid_input("within_radius(r) needs r > 0: got " + std::to_string(radius));
   }
 
+  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
     -> decltype(gatherer.within_radius(seed, double(), output))
@@ -36,6 +39,7 @@ private:
   double m_radius;
 };
 
+/// \ingroup PkgJetFitting3Neighborhoods
 /// The points in the closed ball of this radius around the point, itself among them.
 ///
 /// Of a point set: points at the same place count as one, so that duplicates do no harm.

@@ -16,11 +16,13 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Solvers
 /// The fast solver of step 2, for numbers and for packs. Where the rank is in doubt it abstains: `trusted` is false.
 template <class FT>
 class Abstaining_solver
 {
 public:
+  /// As StepSolver has it.
   template <class Assemble>
   numeric::Least_squares_solution<FT> operator()(std::size_t rows, std::size_t columns, const Assemble& assemble)
   {
@@ -35,11 +37,13 @@ private:
   numeric::Linear_system<FT> m_system;
 };
 
+/// \ingroup PkgJetFitting3Solvers
 /// The default solver of step 2, for numbers: orthogonalization, and where that abstains, the singular values decide.
 template <class FT>
 class Orthogonal_solver
 {
 public:
+  /// As StepSolver has it; always trusted.
   template <class Assemble>
   numeric::Least_squares_solution<FT> operator()(std::size_t rows, std::size_t columns, const Assemble& assemble)
   {

@@ -33,6 +33,7 @@ struct Is_svd_traits<
                          std::is_constructible<typename T::Vector, std::size_t>::value>
 {};
 
+/// \ingroup PkgJetFitting3Solvers
 /// The solver of step 2 that leaves the work to a model of SvdTraits.
 template <class SvdTraits>
 class Svd_traits_solver
@@ -43,6 +44,7 @@ class Svd_traits_solver
   using FT = typename SvdTraits::FT;
 
 public:
+  /// As StepSolver has it; always trusted. \throw whatever SvdTraits::solve() throws
   template <class Assemble>
   numeric::Least_squares_solution<FT> operator()(std::size_t rows, std::size_t columns, const Assemble& assemble)
   {
@@ -81,11 +83,13 @@ private:
   numeric::Linear_system<FT> m_system;
 };
 
+/// \ingroup PkgJetFitting3Solvers
 /// The solver that stands for SvdTraits: the traits themselves, unless a specialization says that another method with
 /// the same answers may replace them.
 template <class SvdTraits>
 struct Solver_of
 {
+  /// A model of StepSolver.
   using type = Svd_traits_solver<SvdTraits>;
 };
 
