@@ -19,6 +19,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The weight at distance t from p, 0 <= t <= 1, as Fit_options says.
 /// \throw Invalid_input if the user's function gives a weight that is negative or not finite
 template <class FT>
@@ -49,6 +50,7 @@ FT weight_at_distance(const FT& t, const Fit_options& options)
   return FT(1);
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Multiplies the weights of the samples by those for their distances from p.
 template <class FT>
 void weight_by_distance(Samples<FT>& samples, const Fit_options& options)

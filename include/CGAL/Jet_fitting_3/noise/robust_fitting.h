@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The weight of a residual, in units of the scale, under a robust loss.
 template <class FT>
 FT weight_of_residual(const FT& residual, Loss loss)
@@ -36,6 +37,7 @@ FT weight_of_residual(const FT& residual, Loss loss)
   return FT(1);
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// 1.4826 times the median of |residual| over the samples with positive weight, corrected for the degrees of freedom
 /// that the fit has used up. At least `least`.
 template <class FT>
@@ -62,6 +64,7 @@ FT robust_scale(const numeric::Buffer<FT, 128>& residuals, const Samples<FT>& sa
   return scale;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 2 under a robust loss: iteratively reweighted least squares, at most 20 iterations, in the basis given.
 ///
 /// The more coefficients, the better a fit can follow outliers and hide them. So the weights are first found for a

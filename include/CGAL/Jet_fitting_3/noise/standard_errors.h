@@ -28,6 +28,7 @@ Jet<numeric::Dual<FT>> jet_in_direction(const Jet<FT>& jet, const Jet<FT>& tange
   return dual;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Standard errors by the delta method. The covariance of Y is s^2 (M^T M)^-1 = (s R^-1)(s R^-1)^T, s^2 being the
 /// residual variance. So the variance of any quantity is the sum of the squares of its derivatives along the columns of
 /// s R^-1; steps 3 and 4, run on Dual numbers, give those derivatives.

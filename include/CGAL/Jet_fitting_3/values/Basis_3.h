@@ -13,12 +13,16 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// An orthonormal direct basis, by the coordinates of its vectors in another one.
 /// The paper's P_{this -> other} has x, y, z as columns, its transpose goes the other way (section 3).
 template <class FT>
 struct Basis_3
 {
+  /// @{
+  /// An axis.
   Vector_3<FT> x, y, z;
+  /// @}
 
   /// Coordinates in this basis -> coordinates in the other one.
   Vector_3<FT> out(const Vector_3<FT>& v) const { return v.x * x + v.y * y + v.z * z; }
@@ -27,6 +31,7 @@ struct Basis_3
   Vector_3<FT> in(const Vector_3<FT>& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// -1 or 1. An axis has two directions: the package gives it the one in the half space of (0.31, 0.53, 0.79).
 /// Fixed in world coordinates, hence deterministic, and independent of scale and of the order of the samples; the
 /// odd direction keeps the axes of symmetric samples off the border of the half space.

@@ -15,9 +15,11 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// N_d = (d+1)(d+2)/2, the number of coefficients of a d-jet (section 2.1.1).
 constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
 
+/// \ingroup PkgJetFitting3Steps
 /// The d-jet J(u, v) = sum A_ij u^i v^j / (i! j!) of a height function, by its derivatives A_ij at the origin
 /// (equation 1), in the order A_00, A_10, A_01, A_20, A_11, A_02, ...
 /// A_ij has the unit length^(1-i-j).
@@ -26,26 +28,34 @@ class Jet
 {
 public:
   Jet() : Jet(0) {}
+  /// J = 0, of the given degree.
   explicit Jet(std::size_t degree) : m_degree(degree)
   {
     m_derivatives.resize(number_of_jet_coefficients(degree));
     for (FT& derivative : m_derivatives) derivative = FT(0);
   }
 
+  /// d.
   std::size_t degree() const { return m_degree; }
 
+  /// @{
+  /// A_ij, i + j <= d: not checked.
   const FT& operator()(std::size_t i, std::size_t j) const { return part(i + j)[j]; }
   FT& operator()(std::size_t i, std::size_t j) { return part(i + j)[j]; }
+  /// @}
 
+  /// @{
   /// The order-k part A_k0, A_k-1,1, ..., A_0k: a symmetric k-linear form.
   const FT* part(std::size_t k) const { return m_derivatives.data() + k * (k + 1) / 2; }
   FT* part(std::size_t k) { return m_derivatives.data() + k * (k + 1) / 2; }
+  /// @}
 
 private:
   std::size_t m_degree;
   numeric::Buffer<FT, 45> m_derivatives;
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// The same jet where lengths are measured in a unit `factor` times smaller: A_ij becomes A_ij * factor^(1-i-j).
 template <class FT>
 Jet<FT> in_smaller_unit(Jet<FT> jet, const FT& factor)

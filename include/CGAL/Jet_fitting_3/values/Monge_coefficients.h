@@ -14,15 +14,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// (d'+1)(d'+2)/2 - 4: the coefficients of a Monge form of degree d' that do not vanish by definition.
 constexpr std::size_t number_of_monge_coefficients(std::size_t degree)
 {
   return degree < 2 ? 0 : (degree + 1) * (degree + 2) / 2 - 4;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Where those of an order >= 2 begin among k1, k2, b0..b3, c0..c4, ...
 constexpr std::size_t monge_offset(std::size_t order) { return number_of_monge_coefficients(order - 1); }
 
+/// \ingroup PkgJetFitting3Steps
 /// k1, k2, b0, b1, b2, b3, c0, ..., c4, then the 5th, 6th, ... order: the derivatives g_ij of the Monge form
 /// (equations 2 and 3), in length^(1-i-j).
 template <class FT>

@@ -16,6 +16,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The sample points P+ of section 2.1.2, relative to p = samples[0], in world axes: p itself is (0, 0, 0).
 /// A weight multiplies the square of its sample's residual; no weights means weights one.
 template <class FT>
@@ -24,10 +25,14 @@ class Samples
   using Coordinates = numeric::Buffer<FT, 128>;
 
 public:
+  /// N, p included.
   std::size_t size() const { return m_x.size(); }
+  /// Sample i relative to p.
   Vector_3<FT> operator[](std::size_t i) const { return {m_x[i], m_y[i], m_z[i]}; }
 
+  /// Whether weights are stored.
   bool is_weighted() const { return !m_weights.empty(); }
+  /// Of sample i.
   FT weight(std::size_t i) const { return is_weighted() ? m_weights[i] : FT(1); }
 
   /// Sum of the weights; 1 where all are 0, since it is there to divide by.
@@ -46,6 +51,7 @@ public:
     m_weights.resize(weighted ? size : 0);
   }
 
+  /// Sample i, relative to p.
   void set(std::size_t i, const Vector_3<FT>& r)
   {
     m_x[i] = r.x;
@@ -61,6 +67,7 @@ public:
     for (FT& weight : m_weights) weight = FT(1);
   }
 
+  /// Of sample i, where weights are stored.
   void set_weight(std::size_t i, const FT& weight) { m_weights[i] = weight; }
 
   /// The same for one lane, where FT is a Pack.
@@ -72,16 +79,21 @@ public:
     m_z[i].set(lane, z);
   }
 
+  /// The weight of sample i in one lane.
   template <class Number>
   void set_weight_lane(std::size_t i, int lane, const Number& weight)
   {
     m_weights[i].set(lane, weight);
   }
 
+  /// @{
+  /// A coordinate of all samples.
   const FT* x() const { return m_x.data(); }
   const FT* y() const { return m_y.data(); }
   const FT* z() const { return m_z.data(); }
+  /// @}
 
+  /// Multiplies all coordinates.
   void scale(const FT& factor)
   {
     for (Coordinates* c : {&m_x, &m_y, &m_z})
@@ -92,6 +104,7 @@ private:
   Coordinates m_x, m_y, m_z, m_weights;
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// A power of two above the largest coordinate: the unit of length in which the steps compute, so that no square, no
 /// power and no product of theirs can overflow or underflow, and a change of unit by 2^e changes no digit.
 template <class FT>

@@ -16,6 +16,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Options
 /// One standard deviation of the normal and of each Monge coefficient, as far as noise along the fitting z axis goes.
 /// They do not know about the error that a finite degree leaves (bias), nor about the choice of the fitting axis.
 /// With `degrees_of_freedom` f, quantity +- t error is a confidence interval, t being the quantile of Student's t

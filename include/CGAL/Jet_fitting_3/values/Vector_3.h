@@ -10,12 +10,18 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// Three coordinates in whichever orthonormal basis the context names.
 template <class FT>
 struct Vector_3
 {
+  /// @{
+  /// A coordinate.
   FT x, y, z;
+  /// @}
 
+  /// @{
+  /// As for vectors.
   friend Vector_3 operator+(const Vector_3& a, const Vector_3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector_3 operator-(const Vector_3& a, const Vector_3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector_3 operator-(const Vector_3& a) { return {-a.x, -a.y, -a.z}; }
@@ -27,6 +33,7 @@ struct Vector_3
   {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  /// @}
 };
 
 } // namespace Jet_fitting
