@@ -20,20 +20,26 @@
 
 namespace CGAL {
 
+/// \ingroup PkgJetFitting3Solvers
 /// A model of SvdTraits on LAPACK: dgelss, least squares by singular value decomposition. Link with lapacke and lapack.
 class Lapack_svd
 {
 public:
-  using FT = double;
+  using FT = double; ///< the number type
 
+  /// A right side and a solution, as SvdTraits asks for.
   class Vector
   {
   public:
+    /// \name As SvdTraits asks for
+    /// @{
+    /// Sizes, and entries counted from 0; all 0 in the beginning.
     explicit Vector(std::size_t size) : m_entries(size) {}
     std::size_t size() const { return m_entries.size(); }
     FT operator()(std::size_t i) const { return m_entries[i]; }
     void set(std::size_t i, FT value) { m_entries[i] = value; }
     FT* vector() { return m_entries.data(); }
+    /// @}
 
   private:
     std::vector<FT> m_entries;
@@ -44,11 +50,15 @@ public:
   class Matrix
   {
   public:
+    /// \name As SvdTraits asks for
+    /// @{
+    /// Sizes, and entries (row, column) counted from 0; all 0 in the beginning.
     Matrix(std::size_t rows, std::size_t columns) : m_rows(rows), m_columns(columns), m_entries(rows * columns) {}
     std::size_t number_of_rows() const { return m_rows; }
     std::size_t number_of_columns() const { return m_columns; }
     FT operator()(std::size_t i, std::size_t j) const { return m_entries[j * m_rows + i]; }
     void set(std::size_t i, std::size_t j, FT value) { m_entries[j * m_rows + i] = value; }
+    /// @}
 
   private:
     std::size_t m_rows, m_columns;

@@ -27,9 +27,12 @@ namespace CGAL {
 namespace Jet_fitting {
 
 #if __has_include(<Eigen/SVD>)
+/// Eigen's SVD is replaced by orthogonalization, which has the same answers to rounding; the singular values decide where
+/// the rank is in doubt.
 template <>
 struct Solver_of<Eigen_svd>
 {
+  /// The solver that stands for it.
   using type = Orthogonal_solver<double>;
 };
 
@@ -43,6 +46,7 @@ using Default_svd = Jacobi_svd<FT>;
 
 } // namespace Jet_fitting
 
+/// \ingroup PkgJetFitting3Single
 /// Estimates the differential quantities of a sampled surface at a sample point by polynomial fitting, with CGAL
 /// kernels: the class of section 4.2.2 of the paper. A drop-in replacement for the class of this name in CGAL.
 ///
@@ -62,13 +66,15 @@ class Monge_via_jet_fitting
                                               SvdTraits>
 {
 public:
+  /// Conversions as CGAL's class of this name has them, for its users.
   using L2D_NTconverter = NT_converter<typename LocalKernel::FT, typename DataKernel::FT>;
+  /// As in CGAL's class; not used here.
   using Aff_transformation = Aff_transformation_3<LocalKernel>;
 
   /// Conversion of numbers, points and vectors between the kernels, for the user; the fit converts differences of
   /// coordinates, so that nothing is lost far from the origin.
   Cartesian_converter<DataKernel, LocalKernel> D2L_converter;
-  Cartesian_converter<LocalKernel, DataKernel> L2D_converter;
+  Cartesian_converter<LocalKernel, DataKernel> L2D_converter; ///< the other way
 };
 
 } // namespace CGAL

@@ -17,35 +17,46 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Solvers
 /// A model of SvdTraits for every number type that the steps work in: float, double, long double, multiprecision.
 /// It needs no other library.
 template <class NumberType>
 class Jacobi_svd
 {
 public:
-  using FT = NumberType;
+  using FT = NumberType; ///< the number type
 
+  /// A right side and a solution.
   class Vector
   {
   public:
+    /// \name As SvdTraits asks for
+    /// @{
+    /// Sizes, and entries counted from 0.
     explicit Vector(std::size_t size) : m_entries(size) {}
     std::size_t size() const { return m_entries.size(); }
     const FT& operator()(std::size_t i) const { return m_entries[i]; }
     void set(std::size_t i, const FT& value) { m_entries[i] = value; }
     FT* vector() { return m_entries.data(); }
+    /// @}
 
   private:
     std::vector<FT> m_entries;
   };
 
+  /// Stored by columns.
   class Matrix
   {
   public:
+    /// \name As SvdTraits asks for
+    /// @{
+    /// Sizes, and entries (row, column) counted from 0.
     Matrix(std::size_t rows, std::size_t columns) : m_rows(rows), m_columns(columns), m_entries(rows * columns) {}
     std::size_t number_of_rows() const { return m_rows; }
     std::size_t number_of_columns() const { return m_columns; }
     const FT& operator()(std::size_t i, std::size_t j) const { return m_entries[j * m_rows + i]; }
     void set(std::size_t i, std::size_t j, const FT& value) { m_entries[j * m_rows + i] = value; }
+    /// @}
 
   private:
     std::size_t m_rows, m_columns;
@@ -68,9 +79,11 @@ public:
   }
 };
 
+/// Jacobi_svd is called only where orthogonalization finds the rank in doubt.
 template <class FT>
 struct Solver_of<Jacobi_svd<FT>>
 {
+  /// The solver that stands for it.
   using type = Orthogonal_solver<FT>;
 };
 

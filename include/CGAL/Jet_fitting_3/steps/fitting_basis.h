@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The basis F in which the height function is fitted, and how the samples are spread.
 template <class FT>
 struct Fitting_basis
@@ -35,13 +36,16 @@ struct Fitting_basis
   }
 };
 
+/// \ingroup PkgJetFitting3Steps
+/// The first two moments of samples.
 template <class FT>
 struct Moments
 {
-  Vector_3<FT> centroid;
-  numeric::Symmetric_3<FT> covariance;
+  Vector_3<FT> centroid;               ///< relative to p
+  numeric::Symmetric_3<FT> covariance; ///< about the centroid
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// Weighted centroid, and covariance about it, divided by the sum of the weights.
 template <class FT>
 Moments<FT> moments(const Samples<FT>& samples)
@@ -62,6 +66,7 @@ Moments<FT> moments(const Samples<FT>& samples)
            s.yy * inverse_total, s.yz * inverse_total, s.zz * inverse_total}};
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 1 (section 3.1): principal component analysis. The z axis, along which heights are measured, is the direction
 /// of least variance; x is that of the largest. z and x point as direction_sign() says, y = z ^ x.
 /// The basis is orthonormal and direct whatever the samples are.
@@ -76,6 +81,7 @@ Fitting_basis<FT> fitting_basis(const Samples<FT>& samples)
   return {{x, cross(z, x), z}, {{variance(0), variance(1), variance(2)}}, m.centroid};
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 1 with a coordinate system given by the user (section 5.1.1): no PCA.
 template <class FT>
 Fitting_basis<FT> fitting_basis(const Samples<FT>& samples, const Basis_3<FT>& given)

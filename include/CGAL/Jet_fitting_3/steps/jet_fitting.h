@@ -21,15 +21,22 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The samples in the fitting basis: (u, v) in units of their extents hu, hv along the two axes, heights as they are.
 /// Padded by zeros to whole blocks of rows.
 template <class FT>
 struct Heights
 {
-  using Coordinates = numeric::Buffer<FT, 128>;
-  std::size_t size;
-  Coordinates u, v, height, root_weight; ///< no root_weight: weights one
-  FT hu, hv;                             ///< powers of two
+  using Coordinates = numeric::Buffer<FT, 128>; ///< one number for each sample
+  std::size_t size;                             ///< N, without padding
+  /// @{
+  /// Coordinates, and the square roots of the weights; no root_weight means weights one.
+  Coordinates u, v, height, root_weight;
+  /// @}
+  /// @{
+  /// An extent, a power of two.
+  FT hu, hv;
+  /// @}
 };
 
 template <class FT>
@@ -43,6 +50,7 @@ FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<F
   return numeric::square_root(FT(sum / samples.total_weight()));
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// r . axis, for |r| coordinates at most 1, with an error of a few units in the last place of the result. A height is a
 /// small difference of large products: r . axis as it stands leaves an error of the size of epsilon |r|, which the fit
 /// divides by |r|^2 to get a curvature.
@@ -50,8 +58,10 @@ template <class FT>
 class Height_above_plane
 {
 public:
+  /// Splits the axis once for many samples.
   explicit Height_above_plane(const Vector_3<FT>& axis) : m_axis(axis), m_leading(leading_half(axis)) {}
 
+  /// r . axis.
   FT operator()(const Vector_3<FT>& r) const
   {
     const Vector_3<FT> leading = leading_half(r);
@@ -67,6 +77,7 @@ private:
   Vector_3<FT> m_axis, m_leading;
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// Change of coordinates P_{W -> F}, and the extents for the preconditioning. The paper takes one h for both axes, the
 /// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). Here it is the root mean square,
 /// and one for each axis, which keeps the condition number small on narrow strips. An axis 2^-40 times narrower than
@@ -110,6 +121,7 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   return h;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The preconditioned system M' Y = Z of section 3.2: the column of A_ij holds u^i v^j, each order computed from the
 /// one before. Factorials stay outside, where they cannot overflow or spoil the condition number.
 template <class FT>
@@ -132,6 +144,7 @@ void assemble(const Heights<FT>& h, std::size_t degree, numeric::Linear_system<F
   for (std::size_t i = 0; i < rows; ++i) right_side[i] = weighted ? FT(w[i] * z[i]) : z[i];
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The solution A = D^-1 Y as derivatives: A_ij = y_ij i! j! / (hu^i hv^j).
 template <class FT>
 Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, const FT& hu, const FT& hv)
@@ -152,6 +165,7 @@ Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, co
   return jet;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Z - M' Y without weights: how far each sample lies above the fitted jet.
 template <class FT>
 numeric::Buffer<FT, 128> residuals(const Heights<FT>& h, const numeric::Buffer<FT, 45>& y, std::size_t degree)
@@ -171,12 +185,17 @@ numeric::Buffer<FT, 128> residuals(const Heights<FT>& h, const numeric::Buffer<F
   return result;
 }
 
+/// \ingroup PkgJetFitting3Steps
+/// What step 2 gives.
 template <class FT>
 struct Jet_fit
 {
   Jet<FT> jet;                                  ///< in the fitting basis
   numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system: rank, condition number
-  FT hu, hv;                                    ///< of the preconditioning
+  /// @{
+  /// The extents of the preconditioning.
+  FT hu, hv;
+  /// @}
   numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample; otherwise none
 };
 
@@ -191,6 +210,7 @@ Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
   return fit;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 2 (section 3.2): the d-jet whose graph over the (x, y) plane of the basis fits the samples in the least squares
 /// sense; it passes through them if they are N_d, the rank being full. In a rank deficient case it is the jet with the
 /// smallest |Y|.

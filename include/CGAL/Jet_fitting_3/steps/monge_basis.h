@@ -14,14 +14,19 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// The Monge basis (d1, d2, n), by its coordinates in the fitting basis, and the principal curvatures k1 >= k2.
 template <class FT>
 struct Monge_basis
 {
   Basis_3<FT> axes; ///< x = d1, y = d2, z = n
-  FT k1, k2;        ///< 1 / length, positive where the surface bends towards n
+  /// @{
+  /// A principal curvature, in 1/length, positive where the surface bends towards n.
+  FT k1, k2;
+  /// @}
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// Orthonormal basis of the tangent plane with the normal, by Gram-Schmidt on X_u = (1, 0, A10), X_v = (0, 1, A01).
 template <class FT>
 Basis_3<FT> tangent_frame(const Jet<FT>& jet)
@@ -34,6 +39,7 @@ Basis_3<FT> tangent_frame(const Jet<FT>& jet)
   return {x, cross(n, x), n};
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Second fundamental form II(a, b) of equation 8, for vectors a, b of the tangent plane.
 template <class FT>
 FT second_fundamental_form(const Jet<FT>& jet, const Vector_3<FT>& a, const Vector_3<FT>& b, const FT& normal_z)
@@ -41,6 +47,7 @@ FT second_fundamental_form(const Jet<FT>& jet, const Vector_3<FT>& a, const Vect
   return (jet(2, 0) * a.x * b.x + jet(1, 1) * (a.x * b.y + a.y * b.x) + jet(0, 2) * a.y * b.y) * normal_z;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 3 (section 3.3). In an orthonormal tangent frame the Weingarten map is the matrix of II; its eigenvalues are
 /// k1 >= k2, with the sign of equation 2: W = +I^-1 II (the minus printed in section 3.3 contradicts equation 2).
 /// d1 points as direction_sign() says in the world, to which `fitting` leads; n lies on the side of the fitting z axis;

@@ -17,31 +17,37 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// A function of (x, y) without constant and linear part, by its Taylor coefficients.
 /// Orders `lowest` to `highest` are kept, order k as k + 1 coefficients.
 template <class FT>
 class Power_series
 {
 public:
+  /// Zero, with room for these orders.
   Power_series(std::size_t lowest, std::size_t highest) : m_lowest(lowest), m_highest(highest)
   {
     m_coefficients.resize(number_of_jet_coefficients(highest) - lowest * (lowest + 1) / 2);
     for (FT& coefficient : m_coefficients) coefficient = FT(0);
   }
 
-  std::size_t lowest() const { return m_lowest; }
-  std::size_t highest() const { return m_highest; }
+  std::size_t lowest() const { return m_lowest; }   ///< first order that is kept
+  std::size_t highest() const { return m_highest; } ///< last order that is kept
+  /// @{
+  /// The coefficients of x^k, x^(k-1) y, ..., y^k.
   FT* order(std::size_t k) { return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2; }
   const FT* order(std::size_t k) const
   {
     return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2;
   }
+  /// @}
 
 private:
   std::size_t m_lowest, m_highest;
   numeric::Buffer<FT, 64> m_coefficients;
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// Heights over the tangent plane, measured along the fitting z axis: with d1, d2 as unit vectors of the (s, t) plane,
 /// F(s, t) = n_z (J - its constant and linear part). Its orders 2 to d' are the forms A_k of the jet evaluated at
 /// d1, d2; order 2 is diag(k1, k2), which step 3 has found.
@@ -69,6 +75,7 @@ Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basi
   return heights;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The product of two series, up to the given order.
 template <class FT>
 Power_series<FT> product(const Power_series<FT>& a, const Power_series<FT>& b, std::size_t highest)
@@ -80,6 +87,7 @@ Power_series<FT> product(const Power_series<FT>& a, const Power_series<FT>& b, s
   return result;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Step 4 (section 3.4): the Monge coefficients of every order up to d', at most the degree of the jet; none for d' = 1.
 ///
 /// The point at (s, t) of heights_over_tangent_plane() has Monge coordinates z = F(s, t), (x, y) = (s, t) + z w with
