@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Results
 /// What there is to know about the estimation at one vertex or point. Several may hold at once.
 enum class Status_flag : std::uint16_t
 {
@@ -42,14 +43,18 @@ enum class Status_flag : std::uint16_t
   few_points_for_robust_loss = 512
 };
 
+/// \ingroup PkgJetFitting3Results
 /// A set of Status_flag.
 class Estimation_status
 {
 public:
   Estimation_status() = default;
+  /// The set of this flag alone.
   Estimation_status(Status_flag flag) : m_flags(bits(flag)) {}
 
+  /// Whether the flag is in the set.
   bool has(Status_flag flag) const { return (m_flags & bits(flag)) != 0; }
+  /// Whether there is a form.
   bool is_estimated() const { return has(Status_flag::estimated); }
   /// Neither estimated nor skipped: the call was cancelled before.
   bool is_unknown() const { return m_flags == 0; }
@@ -57,14 +62,18 @@ public:
   /// The sum of the flags' values, which do not change from version to version.
   std::uint16_t to_integer() const { return m_flags; }
 
+  /// Adds the flags of the other set.
   Estimation_status& operator|=(Estimation_status other)
   {
     m_flags = static_cast<std::uint16_t>(m_flags | other.m_flags);
     return *this;
   }
 
+  /// @{
+  /// Whether the flags are the same.
   friend bool operator==(Estimation_status a, Estimation_status b) { return a.m_flags == b.m_flags; }
   friend bool operator!=(Estimation_status a, Estimation_status b) { return !(a == b); }
+  /// @}
 
 private:
   static std::uint16_t bits(Status_flag flag) { return static_cast<std::uint16_t>(flag); }
@@ -72,6 +81,8 @@ private:
   std::uint16_t m_flags = 0;
 };
 
+/// \ingroup PkgJetFitting3Results
+/// The flags of both.
 inline Estimation_status operator|(Estimation_status a, Estimation_status b) { return a |= b; }
 
 /// Writes the flags in words, separated by commas.

@@ -20,6 +20,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Results
 /// How well a form is determined: what Monge_estimate tells of a single fit.
 struct Fit_quality
 {
@@ -29,6 +30,7 @@ struct Fit_quality
   Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
 };
 
+/// \ingroup PkgJetFitting3Results
 /// What became of the vertices of a mesh, or of the points of a range, in one call.
 /// \tparam Item vertex_descriptor of the mesh, or std::size_t, the position in the range
 template <class Item>
@@ -39,6 +41,9 @@ public:
   class Status_map
   {
   public:
+    /// \name As ReadablePropertyMap asks for
+    /// @{
+    /// The types of the map; its construction and its value at an item.
     using key_type = Item;
     using value_type = Estimation_status;
     using reference = Estimation_status;
@@ -46,6 +51,7 @@ public:
 
     explicit Status_map(const Estimation_summary& summary) : m_summary(&summary) {}
     friend Estimation_status get(const Status_map& map, const Item& item) { return map.m_summary->status(item); }
+    /// @}
 
   private:
     const Estimation_summary* m_summary;
@@ -63,6 +69,7 @@ public:
     return i < m_statuses.size() ? m_statuses[i] : Estimation_status();
   }
 
+  /// The statuses as a property map.
   Status_map status_map() const { return Status_map(*this); }
 
   /// How many items have the flag.

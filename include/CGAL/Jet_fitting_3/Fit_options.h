@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Options
 /// The weight of a sample by its distance t from p, in units of the distance of the farthest sample.
 enum class Weighting
 {
@@ -22,6 +23,7 @@ enum class Weighting
   inverse_distance ///< 1 / (t + 1/8)
 };
 
+/// \ingroup PkgJetFitting3Options
 /// What is minimized over the residuals r, in units of their robust scale. The robust losses are minimized by
 /// iteratively reweighted least squares (Holland and Welsch 1977), with the tuning constants for 95 % efficiency under
 /// normal noise. The scale is 1.4826 times the median of |r|, times sqrt(N / (N - N_d)) for the degrees of freedom.
@@ -34,9 +36,11 @@ enum class Loss
   tukey           ///< weight (1 - (r / 4.685)^2)^2, 0 beyond 4.685: outliers have no influence
 };
 
+/// \ingroup PkgJetFitting3Options
 /// How step 2 fits, and what it tells about it.
 struct Fit_options
 {
+  /// The weight of a sample by its distance from p.
   Weighting weighting = Weighting::unit;
 
   /// If set, the weight as a function of t instead of `weighting`.
@@ -52,6 +56,7 @@ struct Fit_options
   /// Estimate the standard errors of the normal and of every Monge coefficient.
   bool standard_errors = false;
 
+  /// Whether weights depend on the distance.
   bool weights_by_distance() const { return weighting != Weighting::unit || weight_of_distance != nullptr; }
 };
 

@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Results
 /// Thrown, in every build type, when a function is called with arguments that break its preconditions.
 /// The message names the argument and the numbers.
 class Invalid_input : public std::invalid_argument
@@ -29,6 +30,7 @@ public:
   using std::invalid_argument::invalid_argument;
 };
 
+/// \ingroup PkgJetFitting3Results
 /// 1 <= d' <= d. \throw Invalid_input otherwise
 inline void check_degrees(std::size_t d, std::size_t dprime)
 {
@@ -37,6 +39,7 @@ inline void check_degrees(std::size_t d, std::size_t dprime)
                         std::to_string(dprime) + ", d = " + std::to_string(d));
 }
 
+/// \ingroup PkgJetFitting3Results
 /// At least N_d samples. \throw Invalid_input otherwise
 inline void check_number_of_samples(std::size_t n, std::size_t d)
 {

@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Surface
 /// The fitted jet as a surface: the points p + u x + v y + J(u, v) z, where (x, y, z) is the fitting basis.
 ///
 /// The polynomial J is defined everywhere, but resembles the sampled surface only over the samples: |(u, v)| <= radius().
@@ -45,16 +46,22 @@ class Jet_surface
   using Vector = Jet_fitting::Vector_3<Number>;
 
 public:
+  /// @{
+  /// As the DataKernel of the fit has it.
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
   using Vector_3 = typename Kernel::Vector_3;
   using Monge_form = typename Fitting::Monge_form;
+  /// @}
 
   /// A point of the surface and the place over which it lies.
   struct Location
   {
+    /// @{
+    /// A coordinate in the plane of the fit.
     FT u, v;
-    Point_3 point;
+    /// @}
+    Point_3 point; ///< of the surface
   };
 
   /// The surface of a fit; p is the first of its points.
@@ -104,6 +111,7 @@ public:
   /// The Monge form of the surface at its point over (u, v): normal on the side of z, principal curvatures and
   /// directions, and the higher orders. At (0, 0) it is the form of the estimate; elsewhere steps 3 and 4 of the
   /// estimation run on the jet expanded there.
+  /// \param u, v place, in length
   /// \param dprime degree of the form
   /// \throw Invalid_input unless 1 <= dprime <= degree()
   Monge_form monge_form(const FT& u, const FT& v, std::size_t dprime) const
@@ -122,6 +130,7 @@ public:
     return form;
   }
 
+  /// The same, of the degree of the jet.
   Monge_form monge_form(const FT& u, const FT& v) const { return monge_form(u, v, degree()); }
 
   /// The point of the surface closest to q, which is the foot of a normal through q: a local minimum of the distance
@@ -137,6 +146,7 @@ public:
   }
 
   /// The first point of the surface over the disc on the ray from `source`.
+  /// \param source where the ray begins
   /// \param direction of any length but 0
   /// \return nothing if the ray misses the surface over the disc, or leaves `source`, on the surface, for good; a ray
   ///         that only touches the surface may count as either

@@ -16,6 +16,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Results
 /// How much the samples determine.
 enum class Fit_status
 {
@@ -23,6 +24,7 @@ enum class Fit_status
   rank_deficient ///< several do (section 2.2: samples on an algebraic curve, coinciding, collinear); the smallest is taken
 };
 
+/// \ingroup PkgJetFitting3Results
 /// All that one fit tells: the Monge form, and what is known about its quality. A value: copies do not share anything.
 ///
 /// How to read it: rank and condition number tell whether the samples determine the jet, not whether the jet resembles
@@ -32,9 +34,10 @@ template <class DataKernel, class LocalKernel>
 class Monge_estimate
 {
 public:
-  using FT = typename LocalKernel::FT;
-  using Local_vector_3 = typename LocalKernel::Vector_3;
+  using FT = typename LocalKernel::FT;                   ///< the number type of the computation
+  using Local_vector_3 = typename LocalKernel::Vector_3; ///< of the axes of the fit
 
+  /// For the classes that estimate.
   Monge_estimate(const typename DataKernel::Point_3& p, const Monge_form<DataKernel>& form, Estimation<FT> details)
     : m_point(p), m_form(form), m_details(std::move(details))
   {}
@@ -42,9 +45,13 @@ public:
   /// p, the first sample: the origin of the fitting basis.
   const typename DataKernel::Point_3& point() const { return m_point; }
 
+  /// @{
+  /// The form; comply_wrt_given_normal() may be called on it.
   const Monge_form<DataKernel>& monge_form() const { return m_form; }
   Monge_form<DataKernel>& monge_form() { return m_form; }
+  /// @}
 
+  /// Whether the rank is full.
   Fit_status status() const
   {
     return rank() < number_of_jet_coefficients(m_details.jet.degree()) ? Fit_status::rank_deficient
@@ -83,6 +90,7 @@ public:
     return robust_weights().size() >= 5 * number_of_jet_coefficients(m_details.jet.degree());
   }
 
+  /// What the steps gave.
   const Estimation<FT>& details() const { return m_details; }
 
 private:

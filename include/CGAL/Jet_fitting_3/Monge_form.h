@@ -20,6 +20,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Results
 /// The result of an estimation (section 5.1.2): the point of the fitted surface at which the quantities are estimated,
 /// the orthonormal direct Monge basis (d1, d2, n) there, and the Monge coefficients: the surface is, in this basis,
 ///
@@ -36,32 +37,46 @@ template <class DataKernel>
 class Monge_form
 {
 public:
+  /// @{
+  /// That of the DataKernel.
   using FT = typename DataKernel::FT;
   using Point_3 = typename DataKernel::Point_3;
   using Vector_3 = typename DataKernel::Vector_3;
+  /// @}
 
   Monge_form() : Monge_form(Point_3(FT(0), FT(0), FT(0)), zero(), zero(), zero()) {}
 
+  /// A frame without coefficients.
   Monge_form(const Point_3& origin, const Vector_3& d1, const Vector_3& d2, const Vector_3& n)
     : m_origin(origin), m_d1(d1), m_d2(d2), m_n(n)
   {}
 
+  /// @{
   /// The projection of p on the fitted surface along the z axis of the fitting basis.
   const Point_3& origin() const { return m_origin; }
   Point_3& origin() { return m_origin; }
+  /// @}
+  /// @{
   /// d1, the direction of k1.
   const Vector_3& maximal_principal_direction() const { return m_d1; }
   Vector_3& maximal_principal_direction() { return m_d1; }
+  /// @}
+  /// @{
   /// d2, the direction of k2.
   const Vector_3& minimal_principal_direction() const { return m_d2; }
   Vector_3& minimal_principal_direction() { return m_d2; }
+  /// @}
+  /// @{
   /// n = d1 ^ d2.
   const Vector_3& normal_direction() const { return m_n; }
   Vector_3& normal_direction() { return m_n; }
+  /// @}
 
+  /// @{
   /// k1, k2, b0..b3, c0..c4, then g_50, g_41, ..., up to the degree d': (d'+1)(d'+2)/2 - 4 entries, none for d' = 1.
   const std::vector<FT>& coefficients() const { return m_coefficients; }
   std::vector<FT>& coefficients() { return m_coefficients; }
+  /// @}
 
   /// k1 for i = 0, k2 for i = 1.
   /// \throw std::out_of_range (as all coefficient accessors) for an index that does not exist at this degree

@@ -27,6 +27,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// True where every Data number is a Local number too: then coordinates are converted before they are subtracted.
 /// Otherwise (exact to double, say) the difference is taken first, while nothing has been rounded.
 template <class Data_number, class Local_number>
@@ -38,6 +39,7 @@ constexpr bool converts_without_rounding()
          Data::radix == Local::radix && Data::digits <= Local::digits && Data::max_exponent <= Local::max_exponent;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The samples relative to p. \throw Invalid_input naming the first sample that is not at a finite distance from p
 template <class D2L_converter, class FT, class Point_3, class ForwardIterator>
 Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::size_t size)
@@ -62,6 +64,7 @@ Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::si
   return samples;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// \throw Invalid_input unless there are none, or one for each sample, all finite and not negative
 template <class FT>
 void set_point_weights(Samples<FT>& samples, const std::vector<double>& weights)
@@ -72,6 +75,7 @@ void set_point_weights(Samples<FT>& samples, const std::vector<double>& weights)
   for (std::size_t i = 0; i < samples.size(); ++i) samples.set_weight(i, FT(factor * weights[i]));
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Writes the result of an estimation relative to p into a form, whose storage is used again.
 template <class DataKernel, class FT, class L2D_converter>
 void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typename DataKernel::Point_3& p,
@@ -92,6 +96,7 @@ void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typenam
     form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// A user's coordinate system as a basis for the fit, made orthonormal to rounding.
 /// \throw Invalid_input if it is not orthonormal and direct up to half the digits
 template <class FT>
@@ -115,6 +120,7 @@ Basis_3<FT> checked_basis(const Vector_3<FT>& x, const Vector_3<FT>& y, const Ve
   return {unit_x, cross(unit_z, unit_x), unit_z};
 }
 
+/// \ingroup PkgJetFitting3Single
 /// Estimates the differential quantities of a sampled surface at a sample point by polynomial fitting: the stand-alone
 /// class of section 4.2.3. It needs no CGAL header. `CGAL::Monge_via_jet_fitting` is the one with CGAL's kernels.
 ///
@@ -130,6 +136,9 @@ template <class DataKernel, class LocalKernel, class KernelConverters, class Svd
 class Monge_via_jet_fitting
 {
 public:
+  /// @{
+  /// The template parameters, and types of theirs: DFT is a number of the data; FT, Point_3 and Vector_3 are those of the
+  /// LocalKernel.
   using Data_kernel = DataKernel;
   using Local_kernel = LocalKernel;
   using DFT = typename DataKernel::FT;
@@ -138,8 +147,11 @@ public:
   using Vector_3 = typename LocalKernel::Vector_3;
   using LAVector = typename SvdTraits::Vector;
   using LAMatrix = typename SvdTraits::Matrix;
+  /// @}
 
+  /// The result.
   using Monge_form = Jet_fitting::Monge_form<DataKernel>;
+  /// The result, and all that is known about the fit.
   using Estimate = Monge_estimate<DataKernel, LocalKernel>;
   /// x, y, z axis of a coordinate system for the fit.
   using Given_basis = std::array<typename DataKernel::Vector_3, 3>;
@@ -149,6 +161,8 @@ public:
 
   /// Estimates at p = *begin from the points of [begin, end), in the basis of their PCA.
   ///
+  /// \param begin the first of the points, p
+  /// \param end behind the last of them
   /// \param d degree of the fitted jet, at least 1
   /// \param dprime degree of the Monge form, 1 <= dprime <= d
   /// \param options weights, robust loss, standard errors; by default plain least squares
@@ -180,6 +194,7 @@ public:
     return with_form(estimation(begin, end, d, dprime, pca, options), *begin);
   }
 
+  /// The same in a given coordinate system.
   template <class ForwardIterator>
   Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                     const Given_basis& basis, const Fit_options& options = default_options()) const

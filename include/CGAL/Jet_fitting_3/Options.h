@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Options
 /// What estimate_vertex_monge_forms() and estimate_point_monge_forms() can do beyond CGAL's named parameters.
 struct Options : Fit_options
 {

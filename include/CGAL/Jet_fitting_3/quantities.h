@@ -26,6 +26,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Quantities
 /// A number of a form as a double. Exact numbers, which have no conversion, bring a function to_double().
 template <class FT>
 double as_double(const FT& x)
@@ -34,9 +35,11 @@ double as_double(const FT& x)
   else return to_double(x);
 }
 
+/// \ingroup PkgJetFitting3Quantities
 /// k1, in 1/length.
 struct Maximal_curvature
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   typename DataKernel::FT operator()(const Monge_form<DataKernel>& form) const
   {
@@ -44,9 +47,11 @@ struct Maximal_curvature
   }
 };
 
+/// \ingroup PkgJetFitting3Quantities
 /// k2, in 1/length.
 struct Minimal_curvature
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   typename DataKernel::FT operator()(const Monge_form<DataKernel>& form) const
   {
@@ -54,9 +59,11 @@ struct Minimal_curvature
   }
 };
 
+/// \ingroup PkgJetFitting3Quantities
 /// H = (k1 + k2) / 2, in 1/length.
 struct Mean_curvature
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   typename DataKernel::FT operator()(const Monge_form<DataKernel>& form) const
   {
@@ -64,9 +71,11 @@ struct Mean_curvature
   }
 };
 
+/// \ingroup PkgJetFitting3Quantities
 /// K = k1 k2, in 1/length^2; it does not depend on the orientation.
 struct Gaussian_curvature
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   typename DataKernel::FT operator()(const Monge_form<DataKernel>& form) const
   {
@@ -74,11 +83,13 @@ struct Gaussian_curvature
   }
 };
 
+/// \ingroup PkgJetFitting3Quantities
 /// 2/pi arctan((k1 + k2) / (k1 - k2)), in [-1, 1] (Koenderink and van Doorn 1992): -1 where the surface bends away from
 /// n equally in all directions, -0.5 on a ridge, 0 on a symmetric saddle, 0.5 in a rut, 1 in a cup; 0 on a plane too,
 /// where it has no meaning and the curvedness is 0.
 struct Shape_index
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   double operator()(const Monge_form<DataKernel>& form) const
   {
@@ -88,9 +99,11 @@ struct Shape_index
   }
 };
 
+/// \ingroup PkgJetFitting3Quantities
 /// Root mean square of k1 and k2, in 1/length.
 struct Curvedness
 {
+  /// Of this form. \throw std::out_of_range if it has no coefficients
   template <class DataKernel>
   double operator()(const Monge_form<DataKernel>& form) const
   {
@@ -99,13 +112,25 @@ struct Curvedness
   }
 };
 
+/// \addtogroup PkgJetFitting3Quantities
+/// @{
+
+/// The function object of this type.
 inline constexpr Maximal_curvature maximal_curvature{};
+/// The function object of this type.
 inline constexpr Minimal_curvature minimal_curvature{};
+/// The function object of this type.
 inline constexpr Mean_curvature mean_curvature{};
+/// The function object of this type.
 inline constexpr Gaussian_curvature gaussian_curvature{};
+/// The function object of this type.
 inline constexpr Shape_index shape_index{};
+/// The function object of this type.
 inline constexpr Curvedness curvedness{};
 
+/// @}
+
+/// \ingroup PkgJetFitting3Quantities
 /// Writes a quantity of every form into a property map, to colour a mesh by it or to save it.
 ///
 /// \param items the keys, for example vertices(mesh)
