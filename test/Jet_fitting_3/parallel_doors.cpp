@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The doors with TBB: the same bits for every tag and number of threads, progress and cancelling, exceptions.
+
+#include "analytic_meshes.h"
+#include "check.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/estimate_point_monge_forms.h>
+#include <CGAL/estimate_vertex_monge_forms.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+using namespace test;
+using namespace CGAL::Jet_fitting;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
+using Forms = std::vector<Form>;
+
+bool same_bits(const Forms& a, const Forms& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Form& f, const Form& g) {
+    return f.coefficients() == g.coefficients() && f.origin() == g.origin() &&
+           f.maximal_principal_direction() == g.maximal_principal_direction() &&
+           f.normal_direction() == g.normal_direction();
+  });
+}
+
+// A surface with a border, an isolated and a bad vertex among its 15,000.
+Mesh bad_mesh()
+{
+  Mesh mesh;
+  build(bezier(122), mesh);
+  mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  mesh.point(Vertex(3000)) = Kernel::Point_3(0, 0, std::numeric_limits<double>::infinity());
+  return mesh;
+}
+
+template <class Tag, class Neighborhood>
+Forms mesh_forms(const Mesh& mesh, const Neighborhood& neighborhood)
+{
+  std::map<Vertex, Form> forms; // insertion is not thread-safe: the door writes with one thread at a time
+  const auto summary = CGAL::estimate_vertex_monge_forms<Tag>(
+    mesh, neighborhood, boost::make_assoc_property_map(forms), CGAL::parameters::degree_fitting(3).degree_monge(3));
+  check_equal(summary.skipped, std::size_t(2), "the isolated and the infinite vertex are skipped");
+  check_equal(summary.estimated, mesh.number_of_vertices() - std::size_t(2), "the others are estimated");
+  Forms values;
+  for (const auto& entry : forms) values.push_back(entry.second);
+  return values;
+}
+
+template <class Tag, class Neighborhood>
+Forms point_forms(const std::vector<Kernel::Point_3>& points, const Neighborhood& neighborhood)
+{
+  Forms forms;
+  CGAL::estimate_point_monge_forms<Tag>(points, neighborhood, std::back_inserter(forms));
+  return forms;
+}
+
+template <class Neighborhood>
+void same_for_all_threads(const Mesh& mesh, const Neighborhood& neighborhood, const std::string& what)
+{
+  const Forms expected = mesh_forms<CGAL::Sequential_tag>(mesh, neighborhood);
+  for (std::size_t threads : {1, 2, 3, 5}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    check_true(same_bits(mesh_forms<CGAL::Parallel_tag>(mesh, neighborhood), expected),
+               what + " of a mesh with " + text(threads) + " threads");
+  }
+  check_true(same_bits(mesh_forms<CGAL::Parallel_if_available_tag>(mesh, neighborhood), expected),
+             what + " of a mesh, Parallel_if_available_tag");
+}
+
+void points_for_all_threads(const Mesh& mesh)
+{
+  std::vector<Kernel::Point_3> points;
+  for (Vertex v : mesh.vertices()) points.push_back(mesh.point(v));
+  const Forms expected = point_forms<CGAL::Sequential_tag>(points, nearest(15));
+  const Forms in_ball = point_forms<CGAL::Sequential_tag>(points, within_radius(0.05));
+  for (std::size_t threads : {1, 2, 3, 5}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    check_true(same_bits(point_forms<CGAL::Parallel_tag>(points, nearest(15)), expected),
+               "nearest of points, in order, with " + text(threads) + " threads");
+    check_true(same_bits(point_forms<CGAL::Parallel_tag>(points, within_radius(0.05)), in_ball),
+               "within_radius of points, in order, with " + text(threads) + " threads");
+  }
+}
+
+void progress(const Mesh& mesh)
+{
+  std::vector<double> told;
+  std::map<Vertex, Form> forms;
+  const auto run = [&](auto callback) {
+    return CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(
+      mesh, k_rings(2), boost::make_assoc_property_map(forms), CGAL::parameters::callback(callback));
+  };
+  const auto complete = run([&](double p) { told.push_back(p); return true; });
+  check_true(!complete.cancelled && std::is_sorted(told.begin(), told.end()), "progress grows");
+  check_equal(told.back(), 1., "progress ends at 1");
+
+  forms.clear();
+  told.clear();
+  const auto cancelled = run([&](double p) { told.push_back(p); return told.size() < 3; });
+  check_true(cancelled.cancelled, "a cancelled call says so");
+  check_equal(told.size(), std::size_t(3), "no call after cancelling");
+  check_equal(forms.size(), cancelled.estimated + cancelled.skipped, "what was written is accounted for");
+  for (const auto& entry : forms)
+    check_true(!cancelled.status(entry.first).is_unknown(), "what was written has a status");
+
+  check_throws<std::runtime_error>([&] { run([](double) -> bool { throw std::runtime_error("from the callback"); }); },
+                                   {"from the callback"}, "an exception from the callback");
+  const auto own = [](Vertex v, std::vector<Vertex>&) {
+    if (v == Vertex(9000)) throw std::runtime_error("from the neighbourhood");
+  };
+  check_throws<std::runtime_error>([&] {
+    CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(mesh, own, boost::make_assoc_property_map(forms));
+  }, {"from the neighbourhood"}, "an exception from a user's neighbourhood");
+}
+
+int main()
+{
+  const Mesh mesh = bad_mesh();
+  same_for_all_threads(mesh, k_rings(3), "k_rings");
+  same_for_all_threads(mesh, enough_rings(20), "enough_rings");
+  same_for_all_threads(mesh, nearest(20), "nearest");
+  same_for_all_threads(mesh, within_radius(0.06), "within_radius");
+  points_for_all_threads(mesh);
+  progress(mesh);
+  return result();
+}
