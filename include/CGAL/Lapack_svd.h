@@ -31,7 +31,6 @@ public:
   class Vector
   {
   public:
-    /// \name As SvdTraits asks for
     /// @{
     /// Sizes, and entries counted from 0; all 0 in the beginning.
     explicit Vector(std::size_t size) : m_entries(size) {}
@@ -50,7 +49,6 @@ public:
   class Matrix
   {
   public:
-    /// \name As SvdTraits asks for
     /// @{
     /// Sizes, and entries (row, column) counted from 0; all 0 in the beginning.
     Matrix(std::size_t rows, std::size_t columns) : m_rows(rows), m_columns(columns), m_entries(rows * columns) {}

@@ -24,8 +24,8 @@ namespace Jet_fitting {
 /// How well a form is determined: what Monge_estimate tells of a single fit.
 struct Fit_quality
 {
-  std::size_t number_of_points = 0;
-  double condition_number = 0;
+  std::size_t number_of_points = 0; ///< of the neighborhood, p included
+  double condition_number = 0;      ///< of the preconditioned system
   double residual_rms = 0;                 ///< length
   Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
 };
@@ -41,7 +41,6 @@ public:
   class Status_map
   {
   public:
-    /// \name As ReadablePropertyMap asks for
     /// @{
     /// The types of the map; its construction and its value at an item.
     using key_type = Item;

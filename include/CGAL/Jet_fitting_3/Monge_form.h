@@ -169,6 +169,8 @@ private:
   std::vector<FT> m_coefficients;
 };
 
+/// \ingroup PkgJetFitting3Results
+/// Writes the form as Monge_form::dump_verbose() does.
 template <class DataKernel>
 std::ostream& operator<<(std::ostream& out, const Monge_form<DataKernel>& form)
 {

@@ -29,6 +29,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Ridges
 /// Sign of the second derivative of k1 along its line of curvature, where b0 = 0: d2k1/ds2 = P1 / (k1 - k2).
 /// Negative on a maximum, a ridge. Of a form of degree 4 or more.
 template <class DataKernel>
@@ -39,6 +40,7 @@ typename DataKernel::FT ridge_P1(const Monge_form<DataKernel>& form)
   return FT(3) * b1 * b1 + (k1 - k2) * (form.fourth_order_coefficients(0) - FT(3) * k1 * k1 * k1);
 }
 
+/// \ingroup PkgJetFitting3Ridges
 /// The same of k2 along its line of curvature, where b3 = 0: d2k2/ds2 = P2 / (k2 - k1).
 template <class DataKernel>
 typename DataKernel::FT ridge_P2(const Monge_form<DataKernel>& form)
@@ -48,6 +50,7 @@ typename DataKernel::FT ridge_P2(const Monge_form<DataKernel>& form)
   return FT(3) * b2 * b2 + (k2 - k1) * (form.fourth_order_coefficients(4) - FT(3) * k2 * k2 * k2);
 }
 
+/// \ingroup PkgJetFitting3Ridges
 /// From a mesh to the property maps that CGAL::Ridge_approximation, CGAL::compute_max_ridges and its kin, and
 /// CGAL::Umbilic_approximation take, the fit of the Monge forms included. Frames are direct and normals consistently
 /// oriented, as those functions need it.
@@ -70,21 +73,27 @@ class Ridge_property_maps
   using Kernel = typename GetGeomTraits<Mesh, Default_parameters>::type;
 
 public:
+  /// @{
+  /// A vertex of the mesh; numbers and vectors of the kernel of its points.
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   using FT = typename Kernel::FT;
   using Vector_3 = typename Kernel::Vector_3;
+  /// @}
 
   /// A readable property map from vertex to Value.
   template <class Value>
   class Map
   {
   public:
+    /// @{
+    /// The types of the map, and its value at a vertex.
     using key_type = vertex_descriptor;
     using value_type = Value;
     using reference = const Value&;
     using category = boost::readable_property_map_tag;
 
     friend const Value& get(const Map& map, vertex_descriptor v) { return (*map.m_values)[(*map.m_number)(v)]; }
+    /// @}
 
     /// Itself: maps.k1() and maps.k1 are the same.
     const Map& operator()() const { return *this; }
@@ -101,8 +110,11 @@ public:
     std::shared_ptr<std::vector<Value>> m_values;
   };
 
+  /// @{
+  /// A type of the maps.
   using Scalar_map = Map<FT>;
   using Vector_map = Map<Vector_3>;
+  /// @}
 
   /// \param mesh read only here
   /// \param neighborhood as for estimate_vertex_monge_forms(); without it: enough_rings() for twice as many points as a
@@ -126,11 +138,13 @@ public:
     fill_gaps(mesh, is_known);
   }
 
+  /// The same with the default neighborhood.
   template <class T, class Tag, class Base>
   Ridge_property_maps(const Mesh& mesh, const Named_function_parameters<T, Tag, Base>& np)
     : Ridge_property_maps(mesh, enough_rings(std::ptrdiff_t(2 * number_of_jet_coefficients(degree_fitting(np)))), np)
   {}
 
+  /// The same with the default neighborhood and degrees 4.
   explicit Ridge_property_maps(const Mesh& mesh) : Ridge_property_maps(mesh, parameters::default_values()) {}
 
 private:

@@ -217,7 +217,8 @@ Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
 ///
 /// \param samples at least N_d = (d+1)(d+2)/2, lengths near 1 (see unit_of_length())
 /// \param basis orthonormal and direct; its z axis must not be tangent to the surface
-/// \param solve maps (rows, columns, assemble) to a Least_squares_solution; it lends the storage for the system and may
+/// \param degree d
+/// \param solve a model of StepSolver: maps (rows, columns, assemble) to a Least_squares_solution; it lends the storage for the system and may
 ///        have it assembled again
 template <class FT, class Solver>
 Jet_fit<FT> fit_jet(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Solver& solve)
