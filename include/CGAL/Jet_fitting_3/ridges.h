@@ -121,6 +121,7 @@ public:
   ///        jet has coefficients
   /// \param np the named parameters of estimate_vertex_monge_forms(), except that the degree of the jet is 4 if not given,
   ///        and that of the form 3 (P1 and P2 are 0 then, and only ridges of order 3 can be computed) or 4 (default)
+  /// \param options as for estimate_vertex_monge_forms()
   /// \throw Invalid_input if the degree of the form is less than 3
   template <class Neighborhood, class NamedParameters = Default_parameters>
   Ridge_property_maps(const Mesh& mesh, const Neighborhood& neighborhood,
@@ -152,8 +153,12 @@ private:
   Estimation_summary<vertex_descriptor> m_summary;
 
 public:
+  /// @{
+  /// What CGAL's functions ask for: principal curvatures, their derivatives along their own lines, the signs of their
+  /// second derivatives (see ridge_P1(), ridge_P2()), and the principal directions, of unit length.
   Scalar_map k1, k2, b0, b3, P1, P2;
   Vector_map d1, d2;
+  /// @}
 
   /// Which vertices were estimated, and why others were not.
   const Estimation_summary<vertex_descriptor>& summary() const { return m_summary; }
