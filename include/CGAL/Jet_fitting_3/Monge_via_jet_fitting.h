@@ -175,7 +175,7 @@ public:
   Monge_form operator()(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                         const Fit_options& options = default_options())
   {
-    return report(estimation(begin, end, d, dprime, pca, options), *begin);
+    return report(estimation(begin, end, d, dprime, pca, options), begin);
   }
 
   /// The same in a given coordinate system, orthonormal and direct, heights along its third axis (section 5.1.1).
@@ -183,7 +183,7 @@ public:
   Monge_form operator()(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                         const Given_basis& basis, const Fit_options& options = default_options())
   {
-    return report(estimation(begin, end, d, dprime, in_given(basis), options), *begin);
+    return report(estimation(begin, end, d, dprime, in_given(basis), options), begin);
   }
 
   /// What operator() returns and all that is known about the fit, as one value.
@@ -191,7 +191,7 @@ public:
   Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                     const Fit_options& options = default_options()) const
   {
-    return with_form(estimation(begin, end, d, dprime, pca, options), *begin);
+    return with_form(estimation(begin, end, d, dprime, pca, options), begin);
   }
 
   /// The same in a given coordinate system.
@@ -199,7 +199,7 @@ public:
   Estimate estimate(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                     const Given_basis& basis, const Fit_options& options = default_options()) const
   {
-    return with_form(estimation(begin, end, d, dprime, in_given(basis), options), *begin);
+    return with_form(estimation(begin, end, d, dprime, in_given(basis), options), begin);
   }
 
   /// Condition number of the last fit; see Monge_estimate. 0 before the first one.
@@ -256,16 +256,20 @@ private:
     return form;
   }
 
-  static Estimate with_form(Estimation<FT>&& e, const typename DataKernel::Point_3& p)
+  /// The first sample is looked at here, once it is known that there is one.
+  template <class ForwardIterator>
+  static Estimate with_form(Estimation<FT>&& e, const ForwardIterator& first)
   {
+    const typename DataKernel::Point_3 p = *first;
     const Monge_form monge_form = form(e, p);
     return Estimate(p, monge_form, std::move(e));
   }
 
-  Monge_form report(Estimation<FT>&& e, const typename DataKernel::Point_3& p)
+  template <class ForwardIterator>
+  Monge_form report(Estimation<FT>&& e, const ForwardIterator& first)
   {
     m_last = std::move(e);
-    return form(m_last, p);
+    return form(m_last, *first);
   }
 
   Estimation<FT> m_last{};

@@ -23,6 +23,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
 /// Everything known about one fit. Lengths in the unit of the samples, positions relative to p.
 template <class FT>
 struct Estimation
@@ -38,13 +39,15 @@ struct Estimation
   numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample, near 0 for outliers; otherwise none
   Standard_errors<FT> standard_errors;          ///< if asked for
 
+  /// Numerical rank of the preconditioned system.
   std::size_t rank() const { return solution.rank; }
 
   /// Ratio of the extreme singular values of the preconditioned system; infinite where the smallest is zero.
   /// Computed here unless the solver has found it already.
   FT condition_number() const
   {
-    return solution.condition_number > FT(0) ? solution.condition_number : numeric::condition_number(solution.r);
+    const bool is_known = solution.condition_number > FT(0) || solution.r.size() == 0;
+    return is_known ? solution.condition_number : numeric::condition_number(solution.r);
   }
 };
 
@@ -52,7 +55,8 @@ struct Estimation
 template <class FT>
 struct Weight_sums
 {
-  FT weights, number_of_samples; ///< samples of weight 0 do not count
+  FT weights;           ///< all of them
+  FT number_of_samples; ///< samples of weight 0 do not count
 };
 
 template <class FT>
@@ -70,6 +74,7 @@ Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT
   return sums;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The four steps of section 2.1.3, for samples whose coordinates are at most 1 (see unit_of_length()).
 template <class FT, class Make_fitting_basis, class Solver>
 Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, std::size_t dprime,
@@ -126,9 +131,15 @@ Estimation<FT> in_smaller_unit(Estimation<FT> e, const FT& factor)
   return e;
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The four steps on samples relative to p, which end up in another unit of length and with other weights.
 /// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business, as are options.point_weights.
+/// \param samples relative to p, in any unit of length
+/// \param degree d
+/// \param dprime d'
 /// \param make_fitting_basis makes the fitting basis from samples
+/// \param solver a model of StepSolver
+/// \param options weights by distance, robust loss, standard errors
 template <class FT, class Make_fitting_basis, class Solver>
 Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t dprime,
                         const Make_fitting_basis& make_fitting_basis, Solver& solver, const Fit_options& options)

@@ -9,6 +9,8 @@
 
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
@@ -22,6 +24,9 @@ struct Dual
 
   Dual() = default;
   Dual(const FT& constant) : value(constant), tangent(0) {}
+  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value>>
+  Dual(Number constant) : value(FT(constant)), tangent(0)
+  {}
   Dual(const FT& a_value, const FT& a_tangent) : value(a_value), tangent(a_tangent) {}
 
   friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.tangent + b.tangent}; }

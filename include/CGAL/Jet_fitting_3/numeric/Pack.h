@@ -68,8 +68,10 @@ public:
 
   Pack() = default;
   explicit Pack(Register r) : m(r) {}
-  Pack(T value) // implicit, as from double to a number type
+  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value>>
+  Pack(Number number) // implicit, as from double to a number type
   {
+    const T value = static_cast<T>(number);
 #if defined(__GNUC__)
     m = value - Register{};
 #else

@@ -110,7 +110,7 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
 
   const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
   const FT least = FT(1.0 / (1ll << 40)) * numeric::larger(extent_u, extent_v);
-  const FT border(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
+  const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
   h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, extent_v, extent_u)));
   h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, extent_u, extent_v)));
   const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
