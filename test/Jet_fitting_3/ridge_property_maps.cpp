@@ -42,7 +42,7 @@ template <class Mesh>
 Lines<Mesh> ridge_lines(const Mesh& mesh, const Maps<Mesh>& maps, CGAL::Ridge_order order)
 {
   using Approximation =
-    CGAL::Ridge_approximation<Mesh, typename Maps<Mesh>::Scalar_map, typename Maps<Mesh>::Vector_map>;
+      CGAL::Ridge_approximation<Mesh, typename Maps<Mesh>::Scalar_map, typename Maps<Mesh>::Vector_map>;
   std::vector<CGAL::Ridge_line<Mesh>*> raw;
   Approximation ridges(mesh, maps.k1, maps.k2, maps.b0, maps.b3, maps.d1, maps.d2, maps.P1, maps.P2);
   ridges.compute_max_ridges(std::back_inserter(raw), order);
@@ -97,7 +97,8 @@ void ellipsoid_ridges(const std::string& name)
   std::vector<std::unique_ptr<CGAL::Umbilic<Mesh>>> umbilics;
   for (auto* umbilic : raw) umbilics.emplace_back(umbilic);
   check_equal(umbilics.size(), std::size_t(4), name + ": umbilics");
-  const double x = a * std::sqrt((a * a - b * b) / (a * a - c * c)), z = c * std::sqrt((b * b - c * c) / (a * a - c * c));
+  const double x = a * std::sqrt((a * a - b * b) / (a * a - c * c)),
+               z = c * std::sqrt((b * b - c * c) / (a * a - c * c));
   for (const auto& umbilic : umbilics) {
     const Kernel::Point_3 p = get(point_map, umbilic->vertex());
     check_near(std::abs(p.x()), x, mesh_size, name + ": umbilic, |x|");
@@ -116,16 +117,21 @@ void values()
   const Maps<Surface_mesh> maps(mesh, CGAL::Jet_fitting::k_rings(3), np);
   using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
   auto forms = mesh.add_property_map<Surface_mesh::Vertex_index, Form>("v:form").first;
-  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(3), forms, np);
+  const auto summary = CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(3), forms, np);
+  const Maps<Surface_mesh> from_forms(mesh, forms, summary);
   for (auto v : mesh.vertices()) {
     const std::vector<double>& c = forms[v].coefficients(); // k1 k2 b0 b1 b2 b3 c0 c1 c2 c3 c4
     const double k1 = c[0], k2 = c[1];
     check_equal(get(maps.k1, v), k1, "k1");
     check_equal(get(maps.k2(), v), k2, "k2, by a call");
     check_equal(get(maps.b0, v), c[2], "b0");
+    check_equal(get(maps.b1, v), c[3], "b1");
+    check_equal(get(maps.b2, v), c[4], "b2");
     check_equal(get(maps.b3, v), c[5], "b3");
     check_true(get(maps.d1, v) == forms[v].maximal_principal_direction(), "d1");
     check_true(get(maps.d2, v) == forms[v].minimal_principal_direction(), "d2");
+    check_true(get(from_forms.b3, v) == c[5] && get(from_forms.d1, v) == get(maps.d1, v) && from_forms.is_estimated(v),
+               "the same from forms that are estimated already");
     const double P1 = 3 * c[3] * c[3] + (k1 - k2) * (c[6] - 3 * k1 * k1 * k1);
     const double P2 = 3 * c[4] * c[4] + (k2 - k1) * (c[10] - 3 * k2 * k2 * k2);
     check_near(get(maps.P1, v), P1, 1e-13 * (1 + std::abs(P1)), "P1");
@@ -135,8 +141,8 @@ void values()
   }
   const Maps<Surface_mesh> third(mesh, CGAL::parameters::degree_fitting(3));
   check_equal(get(third.P1, Surface_mesh::Vertex_index(0)), 0., "no P1 from forms of degree 3");
-  check_throws<CGAL::Jet_fitting::Invalid_input>(
-    [&] { Maps<Surface_mesh>(mesh, CGAL::parameters::degree_monge(2)); }, {"degree_monge", "2"}, "forms of degree 2");
+  check_throws<CGAL::Jet_fitting::Invalid_input>([&] { Maps<Surface_mesh>(mesh, CGAL::parameters::degree_monge(2)); },
+                                                 {"degree_monge", "2"}, "forms of degree 2");
 }
 
 // Vertices that cannot be estimated have the values of a neighbour; CGAL's functions stay in defined behaviour.
@@ -151,8 +157,11 @@ void bad_vertices()
   check_equal(maps.summary().skipped, std::size_t(2), "two vertices are skipped");
   bool is_that_of_a_neighbor = false;
   for (Vertex v : vertices_around_target(mesh.halfedge(bad), mesh))
-    is_that_of_a_neighbor = is_that_of_a_neighbor || (get(maps.b0, v) == get(maps.b0, bad) && get(maps.d1, v) == get(maps.d1, bad));
+    is_that_of_a_neighbor =
+        is_that_of_a_neighbor || (get(maps.b0, v) == get(maps.b0, bad) && get(maps.d1, v) == get(maps.d1, bad));
   check_true(is_that_of_a_neighbor, "a bad vertex has the values of a neighbour");
+  check_true(!maps.is_estimated(bad) && !maps.is_estimated(isolated) && maps.is_estimated(Vertex(0)),
+             "which values are their own");
   check_equal(get(maps.k1, isolated), 0., "an isolated vertex has none");
   check_ge(get(maps.d1, isolated).squared_length(), 1., "but a direction");
   mesh.point(bad) = Kernel::Point_3(0, 0, 0);

@@ -56,7 +56,7 @@ typename DataKernel::FT ridge_P2(const Monge_form<DataKernel>& form)
 /// oriented, as those functions need it.
 ///
 /// They have no way to leave a vertex out. So a vertex that was skipped has the values of the closest one (by edges)
-/// that was not, and a mesh component without any has k = b = P = 0. A b0 or b3 that is exactly 0 is
+/// that was not, and a mesh component without any has k = b = P = 0: is_estimated() tells. A b0 or b3 that is exactly 0 is
 /// handed out as 1e-100: a triangle with two zeros sends CGAL::Ridge_approximation into undefined behaviour.
 ///
 /// CGAL's ridge and umbilic classes keep references to the maps: keep this object alive as long as them. Copies share
@@ -129,14 +129,26 @@ public:
     : Ridge_property_maps(std::make_shared<const Numbering>(mesh, internal::vertex_ids(mesh, Default_parameters())))
   {
     const std::size_t d = degree_fitting(np);
-    const std::size_t dprime = std::size_t(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::degree_monge), (std::min)(d, std::size_t(4))));
+    const std::size_t dprime =
+        std::size_t(parameters::choose_parameter(parameters::get_parameter(np, internal_np::degree_monge),
+                                                 (std::min)(d, std::size_t(4))));
     if (dprime < 3)
       throw Invalid_input("ridges need Monge forms of degree 3 or more: got degree_monge = " + std::to_string(dprime));
-    std::vector<bool> is_known(m_number->size(), false);
-    m_summary = estimate_vertex_monge_forms<ConcurrencyTag>(mesh, neighborhood, Form_map{this, &is_known},
+    m_summary = estimate_vertex_monge_forms<ConcurrencyTag>(mesh, neighborhood, Form_map{this},
                                                             np.degree_fitting(d).degree_monge(dprime), options);
-    fill_gaps(mesh, is_known);
+    fill_gaps(mesh);
+  }
+
+  /// From forms that are estimated already. Those of degree less than 3 count as skipped.
+  /// \param form_map readable, from vertex to Monge_form, consistently oriented
+  /// \param summary what estimate_vertex_monge_forms() returned with them
+  template <class FormMap>
+  Ridge_property_maps(const Mesh& mesh, const FormMap& form_map, const Estimation_summary<vertex_descriptor>& summary)
+    : Ridge_property_maps(std::make_shared<const Numbering>(mesh, internal::vertex_ids(mesh, Default_parameters())))
+  {
+    m_summary = summary;
+    for (vertex_descriptor v : make_range(vertices(mesh))) take(v, get(form_map, v));
+    fill_gaps(mesh);
   }
 
   /// The same with the default neighborhood.
@@ -160,6 +172,12 @@ public:
   Vector_map d1, d2;
   /// @}
 
+  /// The other two third order coefficients, for the cubic form at umbilics.
+  Scalar_map b1, b2;
+
+  /// Whether the values at a vertex are its own. Otherwise it was skipped, or estimated with a degree less than 3.
+  bool is_estimated(vertex_descriptor v) const { return m_is_estimated[(*m_number)(v)]; }
+
   /// Which vertices were estimated, and why others were not.
   const Estimation_summary<vertex_descriptor>& summary() const { return m_summary; }
 
@@ -173,22 +191,15 @@ private:
     using category = boost::writable_property_map_tag;
 
     Ridge_property_maps* maps;
-    std::vector<bool>* is_known;
 
-    void take(vertex_descriptor v, const value_type& form) const
-    {
-      if (form.degree() < 3) return;
-      const std::size_t i = (*maps->m_number)(v);
-      maps->set(i, form);
-      (*is_known)[i] = true;
-    }
-
+    void take(vertex_descriptor v, const value_type& form) const { maps->take(v, form); }
     friend void put(const Form_map& map, vertex_descriptor v, const value_type& form) { map.take(v, form); }
   };
 
   explicit Ridge_property_maps(const std::shared_ptr<const Numbering>& number)
     : m_number(number), k1(number, FT(0)), k2(number, FT(0)), b0(number, FT(0)), b3(number, FT(0)), P1(number, FT(0)),
-      P2(number, FT(0)), d1(number, Vector_3(1, 0, 0)), d2(number, Vector_3(0, 1, 0))
+      P2(number, FT(0)), d1(number, Vector_3(1, 0, 0)), d2(number, Vector_3(0, 1, 0)), b1(number, FT(0)),
+      b2(number, FT(0)), m_is_estimated(number->size(), false)
   {}
 
   template <class NamedParameters>
@@ -199,11 +210,16 @@ private:
 
   static FT not_zero(const FT& b) { return b == FT(0) ? FT(1e-100) : b; }
 
-  void set(std::size_t i, const Jet_fitting::Monge_form<Kernel>& form)
+  void take(vertex_descriptor v, const Jet_fitting::Monge_form<Kernel>& form)
   {
+    if (form.degree() < 3) return;
+    const std::size_t i = (*m_number)(v);
+    m_is_estimated[i] = true;
     k1[i] = form.principal_curvatures(0);
     k2[i] = form.principal_curvatures(1);
     b0[i] = not_zero(form.third_order_coefficients(0));
+    b1[i] = form.third_order_coefficients(1);
+    b2[i] = form.third_order_coefficients(2);
     b3[i] = not_zero(form.third_order_coefficients(3));
     d1[i] = form.maximal_principal_direction();
     d2[i] = form.minimal_principal_direction();
@@ -214,12 +230,13 @@ private:
 
   void copy(std::size_t from, std::size_t to)
   {
-    for (Scalar_map* map : {&k1, &k2, &b0, &b3, &P1, &P2}) (*map)[to] = (*map)[from];
+    for (Scalar_map* map : {&k1, &k2, &b0, &b1, &b2, &b3, &P1, &P2}) (*map)[to] = (*map)[from];
     for (Vector_map* map : {&d1, &d2}) (*map)[to] = (*map)[from];
   }
 
-  void fill_gaps(const Mesh& mesh, std::vector<bool>& is_known)
+  void fill_gaps(const Mesh& mesh)
   {
+    std::vector<bool> is_known = m_is_estimated;
     if (std::find(is_known.begin(), is_known.end(), false) == is_known.end()) return;
     std::vector<internal::Index> queue;
     for (internal::Index i = 0; i < is_known.size(); ++i)
@@ -236,6 +253,8 @@ private:
       }
     }
   }
+
+  std::vector<bool> m_is_estimated;
 };
 
 } // namespace Jet_fitting
