@@ -101,7 +101,7 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
   Jet_fitting::Estimation_summary<std::size_t> summary;
   const auto run = [&](const auto& make_gather) {
     summary.cancelled =
-      !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
+        !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
   };
   if constexpr (Is_own_neighborhood<Neighborhood, std::size_t>::value) {
     run([&] { return Own_gatherer<Setting, std::size_t, Neighborhood>(setting, neighborhood); });
@@ -113,8 +113,9 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
     const Search search(setting.points(), setting.normals());
     run([&] { return [&](Index seed, std::vector<Index>& row) { neighborhood(search, seed, row); }; });
   }
-  summary.set_reports(std::move(statuses), std::move(qualities), [](std::size_t i) { return i; },
-                      [](const std::size_t& i) { return i; });
+  summary.set_reports(
+      std::move(statuses), std::move(qualities), [](std::size_t i) { return i; },
+      [](const std::size_t& i) { return i; });
   return summary;
 }
 
@@ -124,7 +125,8 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Neighbo
 auto estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighborhood, OutputIterator output,
                                 const Jet_fitting::Options& options)
 {
-  return estimate_point_monge_forms<ConcurrencyTag>(points, neighborhood, output, parameters::default_values(), options);
+  return estimate_point_monge_forms<ConcurrencyTag>(points, neighborhood, output, parameters::default_values(),
+                                                    options);
 }
 
 } // namespace CGAL

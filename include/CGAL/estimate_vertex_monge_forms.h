@@ -83,9 +83,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   const Parameters given(np);
   const Setting setting(mesh, np);
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
-  const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) {
-    setting.normals().orient(form, i);
-  };
+  const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { setting.normals().orient(form, i); };
 
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
   std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
@@ -100,7 +98,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   Jet_fitting::Estimation_summary<vertex_descriptor> summary;
   const auto run = [&](const auto& make_gather) {
     summary.cancelled =
-      !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
+        !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
   };
   if constexpr (Is_own_neighborhood<Neighborhood, vertex_descriptor>::value) {
     run([&] { return Own_gatherer<Setting, vertex_descriptor, Neighborhood>(setting, neighborhood); });
@@ -111,11 +109,12 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     const Compact_mesh compact = setting.compact(np);
     run([&] {
       return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(), setting.normals())](
-               Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
+                 Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
     });
   }
-  summary.set_reports(std::move(statuses), std::move(qualities), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },
-                      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
+  summary.set_reports(
+      std::move(statuses), std::move(qualities), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },
+      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
   return summary;
 }
 
@@ -125,8 +124,8 @@ template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighbor
 auto estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborhood, VertexFormMap vertex_form_map,
                                  const Jet_fitting::Options& options)
 {
-  return estimate_vertex_monge_forms<ConcurrencyTag>(mesh, neighborhood, vertex_form_map,
-                                                     parameters::default_values(), options);
+  return estimate_vertex_monge_forms<ConcurrencyTag>(mesh, neighborhood, vertex_form_map, parameters::default_values(),
+                                                     options);
 }
 
 } // namespace CGAL

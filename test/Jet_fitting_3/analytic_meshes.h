@@ -28,12 +28,14 @@ namespace test {
 
 using Point = Vec3<double>;
 
-struct Curvatures {
-  double k1, k2;  // k1 >= k2, positive where the surface bends towards the normal
+struct Curvatures
+{
+  double k1, k2; // k1 >= k2, positive where the surface bends towards the normal
   Point normal;
 };
 
-struct Analytic_mesh {
+struct Analytic_mesh
+{
   std::string name;
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> faces;
@@ -132,8 +134,8 @@ inline Analytic_mesh torus(double big, double small, std::size_t m, std::size_t 
 }
 
 // The graph of z = h(x, y) over the unit square, upwards; h gives the height and its derivatives x, y, xx, xy, yy.
-inline Analytic_mesh graph(const std::string& name, std::size_t n, std::function<std::array<double, 6>(double, double)> h,
-                           bool quadrangles = false)
+inline Analytic_mesh graph(const std::string& name, std::size_t n,
+                           std::function<std::array<double, 6>(double, double)> h, bool quadrangles = false)
 {
   Analytic_mesh mesh;
   mesh.name = name;
@@ -156,8 +158,10 @@ inline Analytic_mesh graph(const std::string& name, std::size_t n, std::function
 inline std::array<double, 6> bezier_height(double u, double v)
 {
   // row i: the coefficients of u^i v, u^i v^2, u^i v^3, u^i v^4, for i = 1..4
-  static const double coefficient[4][4] = {
-    {16, -72, 112, -56}, {-72, 324, -504, 252}, {80, -360, 592, -312}, {-24, 108, -200, 116}};
+  static const double coefficient[4][4] = {{16, -72, 112, -56},
+                                           {-72, 324, -504, 252},
+                                           {80, -360, 592, -312},
+                                           {-24, 108, -200, 116}};
   std::array<double, 6> h{};
   for (int i = 1; i <= 4; ++i)
     for (int j = 1; j <= 4; ++j) {

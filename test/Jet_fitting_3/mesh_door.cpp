@@ -54,7 +54,7 @@ void check_truth(const Analytic_mesh& surface, int k, std::size_t d)
   Mesh mesh = made(surface);
   const Form_map forms = forms_of(mesh);
   const auto summary =
-    CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
+      CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
   check_equal(summary.estimated, surface.points.size(), surface.name + ": all vertices are estimated");
   for (Vertex v : mesh.vertices()) {
     double h = 0;
@@ -73,7 +73,8 @@ void check_truth(const Analytic_mesh& surface, int k, std::size_t d)
   }
 }
 
-struct Median_errors {
+struct Median_errors
+{
   double normal, k1, k2;
 };
 
@@ -83,7 +84,7 @@ Median_errors bezier_errors(std::size_t n, int k, std::size_t d)
   Mesh mesh = made(surface);
   const Form_map forms = forms_of(mesh);
   const auto summary =
-    CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
+      CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
   std::vector<double> normal, k1, k2;
   for (Vertex v : mesh.vertices()) {
     if (!summary.status(v).is_estimated() || summary.status(v).has(Status_flag::one_sided)) continue;
@@ -157,12 +158,14 @@ void quantities()
   for (Vertex v : mesh.vertices())
     if (mesh.is_isolated(v)) check_true(std::isnan(values[v]), "an empty form has no mean curvature");
     else check_equal(values[v], mean_curvature(forms[v]), "the quantity written is that of the form");
-  write_quantity(mesh.vertices(), forms, [](const Form& f) { return f.principal_curvatures(1); }, values, -7.);
+  write_quantity(
+      mesh.vertices(), forms, [](const Form& f) { return f.principal_curvatures(1); }, values, -7.);
   check_equal(values[Vertex(mesh.number_of_vertices() - 1)], -7., "the value for empty forms");
 }
 
 // A mesh with every kind of bad vertex. A torus is the sound part.
-struct Bad_mesh {
+struct Bad_mesh
+{
   Mesh mesh = made(torus(2, 1, 30, 20));
   Vertex isolated, infinite, lonely, collinear, on_conic;
 
@@ -201,11 +204,13 @@ void reasons()
   const auto check_reason = [&](Vertex v, Estimation_status expected, const std::string& what) {
     check_equal(summary.status(v), expected, what);
     check_equal(get(summary.status_map(), v), expected, what + ", by the map");
-    check_true(forms[v].coefficients().empty() && as_point(forms[v].normal_direction()).z == 0, what + ": an empty form");
+    check_true(forms[v].coefficients().empty() && as_point(forms[v].normal_direction()).z == 0,
+               what + ": an empty form");
     const auto& items = summary.skipped_items;
     check_true(std::find(items.begin(), items.end(), std::make_pair(v, expected)) != items.end(), what + ": is listed");
   };
-  check_reason(bad.isolated, Estimation_status(Status_flag::isolated) | Status_flag::too_few_points, "an isolated vertex");
+  check_reason(bad.isolated, Estimation_status(Status_flag::isolated) | Status_flag::too_few_points,
+               "an isolated vertex");
   check_reason(bad.infinite, Status_flag::not_finite, "a vertex that is not finite");
   check_reason(bad.lonely, Status_flag::too_few_points, "a component of three vertices");
   check_reason(bad.collinear, Status_flag::rank_deficient, "collinear points");
@@ -221,17 +226,18 @@ void reasons()
   options.lower_degree = true;
   const auto lowered = CGAL::estimate_vertex_monge_forms(bad.mesh, k_rings(3), forms, options);
   check_true(lowered.status(bad.lonely).is_estimated() && lowered.status(bad.lonely).has(Status_flag::degree_lowered) &&
-               lowered.status(bad.lonely).has(Status_flag::too_few_points),
+                 lowered.status(bad.lonely).has(Status_flag::too_few_points),
              "three points: a plane instead of a quadric, and why");
   check_equal(forms[bad.lonely].degree(), std::size_t(1), "its form has degree 1");
-  check_near(length(as_point(forms[bad.lonely].normal_direction()) - Point(1, 0, 0)), 0, 1e-14, "and the plane's normal");
+  check_near(length(as_point(forms[bad.lonely].normal_direction()) - Point(1, 0, 0)), 0, 1e-14,
+             "and the plane's normal");
   check_true(lowered.status(bad.on_conic).has(Status_flag::degree_lowered), "points on a conic: a plane too");
   check_true(!lowered.status(bad.collinear).is_estimated(), "collinear points determine no plane either");
   check_true(lowered.status(Vertex(0)).is_estimated() && !lowered.status(Vertex(0)).has(Status_flag::degree_lowered),
              "others keep their degree");
 
-  const auto fourth = CGAL::estimate_vertex_monge_forms(bad.mesh, k_rings(1), forms,
-                                                        CGAL::parameters::degree_fitting(4), options);
+  const auto fourth =
+      CGAL::estimate_vertex_monge_forms(bad.mesh, k_rings(1), forms, CGAL::parameters::degree_fitting(4), options);
   check_true(fourth.status(Vertex(0)).has(Status_flag::degree_lowered), "seven points are too few for degree 4");
   check_equal(forms[Vertex(0)].degree(), std::size_t(2), "and enough for 2");
 }
@@ -281,7 +287,7 @@ void sharp_cube()
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(3), forms);
   check_ge(largest(), 1., "curvature across the edges of a cube");
   const auto summary =
-    CGAL::estimate_vertex_monge_forms(mesh, k_rings(3), forms, CGAL::parameters::edge_is_constrained_map(is_sharp));
+      CGAL::estimate_vertex_monge_forms(mesh, k_rings(3), forms, CGAL::parameters::edge_is_constrained_map(is_sharp));
   check_equal(summary.estimated, std::size_t(mesh.number_of_vertices()), "every vertex of the cube is estimated");
   check_le(largest(), 1e-12, "no curvature where its edges are constrained");
 }
@@ -312,8 +318,9 @@ void own_points_and_ids()
   }
   const Form_map forms = forms_of(mesh), same = forms_of(elsewhere);
   CGAL::estimate_vertex_monge_forms(mesh, nearest(20), forms);
-  const auto summary = CGAL::estimate_vertex_monge_forms(
-    elsewhere, nearest(20), same, CGAL::parameters::vertex_point_map(places).vertex_index_map(numbers));
+  const auto summary =
+      CGAL::estimate_vertex_monge_forms(elsewhere, nearest(20), same,
+                                        CGAL::parameters::vertex_point_map(places).vertex_index_map(numbers));
   check_equal(summary.estimated, surface.points.size(), "given points and ids: all are estimated");
   for (Vertex v : mesh.vertices())
     check_true(forms[v].coefficients() == same[v].coefficients(), "a given point map gives the same forms");
@@ -325,7 +332,8 @@ void own_points_and_ids()
 }
 
 // The least that a user's own neighbourhood may be: two rings in any order, the vertex itself somewhere or nowhere.
-struct Own_neighborhood {
+struct Own_neighborhood
+{
   const Mesh* mesh;
   int kind;
   void operator()(const Vertex& v, std::vector<Vertex>& vertices) const
@@ -350,8 +358,10 @@ void own_neighborhoods()
       check_same_form(forms[v], expected[v], 0.5, "own neighbourhood " + text(kind) + ", vertex " + text(v));
   }
   check_throws<Invalid_input>(
-    [&] { CGAL::estimate_vertex_monge_forms(mesh, Own_neighborhood{&mesh, 3}, forms); }, {"neighbourhood", "0"},
-    "a neighbourhood with a vertex that does not exist");
+      [&] {
+        CGAL::estimate_vertex_monge_forms(mesh, Own_neighborhood{&mesh, 3}, forms);
+      },
+      {"neighbourhood", "0"}, "a neighbourhood with a vertex that does not exist");
   const auto lambda = [&](Vertex v, std::vector<Vertex>& found) { found = rings_around(mesh, v, 1); };
   check_equal(CGAL::estimate_vertex_monge_forms(mesh, lambda, forms).estimated, std::size_t(600), "a lambda");
 }
@@ -365,9 +375,9 @@ void progress()
     told.clear();
     for (Vertex v : mesh.vertices()) forms[v].coefficients() = {7, 7};
     return CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms, CGAL::parameters::callback([&](double p) {
-      told.push_back(p);
-      return told.size() < stop_after;
-    }));
+                                               told.push_back(p);
+                                               return told.size() < stop_after;
+                                             }));
   };
   const auto complete = run(1000);
   check_true(!complete.cancelled, "not cancelled");
@@ -384,11 +394,13 @@ void progress()
     check_equal(forms[v].coefficients() == std::vector<double>{7, 7}, cancelled.status(v).is_unknown(),
                 "the forms of the remaining vertices are as they were");
 
-  check_throws<std::runtime_error>([&] {
-    CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms, CGAL::parameters::callback([](double) -> bool {
-      throw std::runtime_error("from the callback");
-    }));
-  }, {"from the callback"}, "an exception from the callback");
+  check_throws<std::runtime_error>(
+      [&] {
+        CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms, CGAL::parameters::callback([](double) -> bool {
+                                            throw std::runtime_error("from the callback");
+                                          }));
+      },
+      {"from the callback"}, "an exception from the callback");
 }
 
 void bad_arguments()
@@ -425,8 +437,7 @@ void exact_mesh()
   const Form_map near_forms = forms_of(near);
   Forms<Exact_mesh> far_forms;
   CGAL::estimate_vertex_monge_forms(near, nearest(15), near_forms);
-  const auto summary =
-    CGAL::estimate_vertex_monge_forms(far, nearest(15), boost::make_assoc_property_map(far_forms));
+  const auto summary = CGAL::estimate_vertex_monge_forms(far, nearest(15), boost::make_assoc_property_map(far_forms));
   check_equal(summary.estimated, surface.points.size(), "exact mesh: all are estimated");
   for (Vertex v : near.vertices()) {
     const auto& far_form = far_forms[Exact_mesh::Vertex_index(v.idx())];

@@ -16,7 +16,8 @@
 
 using namespace test;
 
-struct Double_traits : OpenMesh::DefaultTraits {
+struct Double_traits : OpenMesh::DefaultTraits
+{
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
 };

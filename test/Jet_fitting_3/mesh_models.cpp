@@ -21,7 +21,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 using Linear_cell_complex =
-  CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+    CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
 
 // Ids that nobody has set, or that mean something else, are no numbers of vertices.
 void useless_ids()
@@ -30,8 +30,8 @@ void useless_ids()
   const auto vertices = build(sphere(1, 20), mesh);
   for (auto v : vertices) v->id() = 7;
   Forms<Polyhedron_with_ids> forms;
-  const auto summary = CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2),
-                                                         boost::make_assoc_property_map(forms));
+  const auto summary =
+      CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2), boost::make_assoc_property_map(forms));
   check_equal(summary.estimated, vertices.size(), "equal ids: all vertices are estimated");
   for (auto v : vertices) {
     check_near(forms[v].principal_curvatures(0), -1, 0.03, "equal ids: k1 on the unit sphere");

@@ -66,9 +66,9 @@ void check_door_equals_class(const Analytic_mesh& from, int k, int d, int dprime
   Mesh mesh;
   build(from, mesh);
   Forms<Mesh> forms;
-  const auto summary = CGAL::estimate_vertex_monge_forms(
-    mesh, CGAL::Jet_fitting::k_rings(k), boost::make_assoc_property_map(forms),
-    CGAL::parameters::degree_fitting(d).degree_monge(dprime));
+  const auto summary =
+      CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(k), boost::make_assoc_property_map(forms),
+                                        CGAL::parameters::degree_fitting(d).degree_monge(dprime));
   check_equal(summary.estimated, from.points.size(), from.name + ": all vertices are estimated");
   check_equal(summary.skipped, std::size_t(0), from.name + ": none is skipped");
   check_true(!summary.cancelled && summary.skipped_items.empty(), from.name + ": nothing else to report");

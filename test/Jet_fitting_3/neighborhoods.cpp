@@ -93,7 +93,8 @@ void check_ring_order(const Vertices& found, const std::map<Vertex, std::size_t>
 {
   check_equal(as_set(found).size(), found.size(), what + ": each vertex once");
   bool sorted = true;
-  for (std::size_t i = 1; i < found.size(); ++i) sorted = sorted && distances.at(found[i - 1]) <= distances.at(found[i]);
+  for (std::size_t i = 1; i < found.size(); ++i)
+    sorted = sorted && distances.at(found[i - 1]) <= distances.at(found[i]);
   check_true(sorted, what + ": ring after ring");
 }
 
@@ -152,19 +153,22 @@ void by_distance()
     const Vertices found = gathered(gather, nearest(12), v);
     check_true(found == grown(mesh, v, 12), "nearest(12) of vertex " + text(v));
     Vertices sorted(mesh.vertices().begin(), mesh.vertices().end());
-    std::sort(sorted.begin(), sorted.end(), [&](Vertex a, Vertex b) { return distance(mesh, v, a) < distance(mesh, v, b); });
+    std::sort(sorted.begin(), sorted.end(),
+              [&](Vertex a, Vertex b) { return distance(mesh, v, a) < distance(mesh, v, b); });
     ++asked;
     same_as_search += found == Vertices(sorted.begin(), sorted.begin() + 12);
 
     const double radius = 0.13;
-    const auto end = std::find_if(sorted.begin(), sorted.end(), [&](Vertex w) { return distance(mesh, v, w) > radius; });
+    const auto end =
+        std::find_if(sorted.begin(), sorted.end(), [&](Vertex w) { return distance(mesh, v, w) > radius; });
     const Vertices ball = gathered(gather, within_radius(radius), v);
     check_equal(ball.front(), v, "within_radius: the vertex comes first");
     check_true(as_set(ball) == as_set(Vertices(sorted.begin(), end)), "within_radius(0.13) of vertex " + text(v));
   }
   check_ge(double(same_as_search), 0.95 * double(asked), "in the plane, growth mostly finds the nearest of all");
   check_equal(gathered(gather, nearest(1000), Vertex(0)).size(), std::size_t(400), "nearest(1000) of 400 vertices");
-  check_equal(gathered(gather, within_radius(1e300), Vertex(0)).size(), std::size_t(400), "all within an endless radius");
+  check_equal(gathered(gather, within_radius(1e300), Vertex(0)).size(), std::size_t(400),
+              "all within an endless radius");
   check_equal(gathered(gather, within_radius(1e-300), Vertex(0)).size(), std::size_t(1), "nothing within no radius");
 }
 
@@ -184,7 +188,7 @@ void scales()
       check_true(gathered(gather, nearest(9), v) == gathered(gather_scaled, nearest(9), v),
                  "nearest at scale 2^" + text(exponent));
       check_true(gathered(gather, within_radius(0.2), v) ==
-                   gathered(gather_scaled, within_radius(std::ldexp(0.2, exponent)), v),
+                     gathered(gather_scaled, within_radius(std::ldexp(0.2, exponent)), v),
                  "within_radius at scale 2^" + text(exponent));
     }
   }
@@ -212,7 +216,8 @@ void thin_slab()
 
 Kernel::Vector_3 normal(const Mesh& mesh, Mesh::Halfedge_index h)
 {
-  const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+             &r = mesh.point(mesh.target(mesh.next(h)));
   return CGAL::cross_product(q - p, r - p);
 }
 
@@ -273,7 +278,8 @@ void sharp_edges()
 }
 
 // The smooth patches that meet at each vertex: faces connected by edges with a dihedral angle of less than 30 degrees.
-std::vector<std::set<int>> patches_of_vertices(const Mesh& mesh, const Mesh::Property_map<Mesh::Edge_index, bool>& is_sharp)
+std::vector<std::set<int>> patches_of_vertices(const Mesh& mesh,
+                                               const Mesh::Property_map<Mesh::Edge_index, bool>& is_sharp)
 {
   std::vector<std::set<int>> patches(mesh.num_vertices());
   std::vector<int> patch(mesh.num_faces(), -1);
@@ -326,7 +332,8 @@ void fandisk()
       check_true(share_a_patch(found), "fandisk: the neighbourhood of vertex " + text(v) + " is on one smooth patch");
     crossing += !share_a_patch(gathered(gather_all, k_rings(3), v));
   }
-  check_ge(crossing, std::size_t(500), "fandisk: neighbourhoods that cross sharp edges where these are not constrained");
+  check_ge(crossing, std::size_t(500),
+           "fandisk: neighbourhoods that cross sharp edges where these are not constrained");
 }
 
 // A sharp line that ends inside the surface: growth goes around its end, and a vertex at the end has all neighbours.
@@ -340,7 +347,8 @@ void open_sharp_line()
   const auto np = CGAL::parameters::edge_is_constrained_map(is_sharp);
   Vertex_gatherer<Mesh, std::decay_t<decltype(np)>> gather(mesh, np);
 
-  check_equal(gathered(gather, k_rings(1), at(5, 5)).size(), std::size_t(7), "all neighbours at the end of a sharp line");
+  check_equal(gathered(gather, k_rings(1), at(5, 5)).size(), std::size_t(7),
+              "all neighbours at the end of a sharp line");
   const auto beside = as_set(gathered(gather, k_rings(2), at(2, 4)));
   check_equal(beside.count(at(2, 5)), std::size_t(1), "vertices on the line are taken");
   check_equal(beside.count(at(2, 6)), std::size_t(0), "the line is not crossed");
@@ -366,8 +374,8 @@ void odd_vertices()
   check_true(gathered(gather, k_rings(2), far) == Vertices{far}, "a vertex that is not finite is alone");
   for (Vertex v : mesh.vertices()) {
     if (v == far) continue;
-    for (const Vertices& found : {gathered(gather, k_rings(3), v), gathered(gather, nearest(15), v),
-                                  gathered(gather, within_radius(0.3), v)})
+    for (const Vertices& found :
+         {gathered(gather, k_rings(3), v), gathered(gather, nearest(15), v), gathered(gather, within_radius(0.3), v)})
       check_true(std::none_of(found.begin(), found.end(), [&](Vertex w) { return w == far || mesh.is_removed(w); }),
                  "vertices that are removed or not finite are no neighbours");
   }
@@ -403,7 +411,8 @@ void bad_arguments()
   check_throws<Invalid_input>([] { enough_rings(0); }, {"enough_rings", "0"}, "rings until nothing");
   check_throws<Invalid_input>([] { nearest(-1); }, {"nearest", "-1"}, "a negative number of points");
   check_throws<Invalid_input>([] { within_radius(0); }, {"within_radius"}, "no radius");
-  check_throws<Invalid_input>([] { within_radius(std::numeric_limits<double>::quiet_NaN()); }, {"within_radius"}, "NaN");
+  check_throws<Invalid_input>([] { within_radius(std::numeric_limits<double>::quiet_NaN()); }, {"within_radius"},
+                              "NaN");
 }
 
 int main()

@@ -56,8 +56,8 @@ template <class Tag, class Neighborhood>
 Forms mesh_forms(const Mesh& mesh, const Neighborhood& neighborhood)
 {
   std::map<Vertex, Form> forms; // insertion is not thread-safe: the door writes with one thread at a time
-  const auto summary = CGAL::estimate_vertex_monge_forms<Tag>(
-    mesh, neighborhood, boost::make_assoc_property_map(forms), CGAL::parameters::degree_fitting(3).degree_monge(3));
+  const auto summary = CGAL::estimate_vertex_monge_forms<Tag>(mesh, neighborhood, boost::make_assoc_property_map(forms),
+                                                              CGAL::parameters::degree_fitting(3).degree_monge(3));
   check_equal(summary.skipped, std::size_t(2), "the isolated and the infinite vertex are skipped");
   check_equal(summary.estimated, mesh.number_of_vertices() - std::size_t(2), "the others are estimated");
   Forms values;
@@ -106,16 +106,23 @@ void progress(const Mesh& mesh)
   std::vector<double> told;
   std::map<Vertex, Form> forms;
   const auto run = [&](auto callback) {
-    return CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(
-      mesh, k_rings(2), boost::make_assoc_property_map(forms), CGAL::parameters::callback(callback));
+    return CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(mesh, k_rings(2),
+                                                                 boost::make_assoc_property_map(forms),
+                                                                 CGAL::parameters::callback(callback));
   };
-  const auto complete = run([&](double p) { told.push_back(p); return true; });
+  const auto complete = run([&](double p) {
+    told.push_back(p);
+    return true;
+  });
   check_true(!complete.cancelled && std::is_sorted(told.begin(), told.end()), "progress grows");
   check_equal(told.back(), 1., "progress ends at 1");
 
   forms.clear();
   told.clear();
-  const auto cancelled = run([&](double p) { told.push_back(p); return told.size() < 3; });
+  const auto cancelled = run([&](double p) {
+    told.push_back(p);
+    return told.size() < 3;
+  });
   check_true(cancelled.cancelled, "a cancelled call says so");
   check_equal(told.size(), std::size_t(3), "no call after cancelling");
   check_equal(forms.size(), cancelled.estimated + cancelled.skipped, "what was written is accounted for");
@@ -127,9 +134,9 @@ void progress(const Mesh& mesh)
   const auto own = [](Vertex v, std::vector<Vertex>&) {
     if (v == Vertex(9000)) throw std::runtime_error("from the neighbourhood");
   };
-  check_throws<std::runtime_error>([&] {
-    CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(mesh, own, boost::make_assoc_property_map(forms));
-  }, {"from the neighbourhood"}, "an exception from a user's neighbourhood");
+  check_throws<std::runtime_error>(
+      [&] { CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(mesh, own, boost::make_assoc_property_map(forms)); },
+      {"from the neighbourhood"}, "an exception from a user's neighbourhood");
 }
 
 int main()

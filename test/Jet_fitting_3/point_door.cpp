@@ -72,8 +72,9 @@ double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squ
 Points sorted_by_distance(const Points& points, const Point_3& p)
 {
   Points sorted = points;
-  std::sort(sorted.begin(), sorted.end(),
-            [&](const Point_3& a, const Point_3& b) { return CGAL::squared_distance(p, a) < CGAL::squared_distance(p, b); });
+  std::sort(sorted.begin(), sorted.end(), [&](const Point_3& a, const Point_3& b) {
+    return CGAL::squared_distance(p, a) < CGAL::squared_distance(p, b);
+  });
   return sorted;
 }
 
@@ -146,8 +147,8 @@ void ranges()
 
   CGAL::Point_set_3<Point_3> with_normals(true);
   for (const Point_3& p : points) with_normals.insert(p, p - CGAL::ORIGIN);
-  const Forms outward = forms_of(with_normals, nearest(20)), same = forms_of(with_normals, nearest(20),
-                                                                              with_normals.parameters());
+  const Forms outward = forms_of(with_normals, nearest(20)),
+              same = forms_of(with_normals, nearest(20), with_normals.parameters());
   for (std::size_t i = 0; i < points.size(); ++i) {
     check_ge(outward[i].normal_direction() * (points[i] - CGAL::ORIGIN), 0., "Point_set_3 with normals is oriented");
     check_true(outward[i].coefficients() == same[i].coefficients(), "its normals are found without being named");
@@ -160,9 +161,10 @@ void orientation()
 {
   using With_normal = std::pair<Point_3, Vector_3>;
   std::vector<With_normal> points;
-  for (const Point_3& p : on_sphere(3000)) points.emplace_back(p, (points.size() % 2 == 0 ? 5. : -5.) * (p - CGAL::ORIGIN));
+  for (const Point_3& p : on_sphere(3000))
+    points.emplace_back(p, (points.size() % 2 == 0 ? 5. : -5.) * (p - CGAL::ORIGIN));
   const auto maps = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<With_normal>())
-                      .normal_map(CGAL::Second_of_pair_property_map<With_normal>());
+                        .normal_map(CGAL::Second_of_pair_property_map<With_normal>());
   std::vector<std::size_t> all(points.size());
   const auto own = [&](std::size_t i, std::vector<std::size_t>& found) { // normals alternate: no sheets here
     found.push_back(i);
@@ -195,7 +197,8 @@ void slab()
     return largest;
   };
   const auto oriented = CGAL::parameters::point_map(point_map).normal_map(normal_map);
-  for (const Forms& forms : {forms_of(points, nearest(20), oriented), forms_of(points, within_radius(0.08), oriented)}) {
+  for (const Forms& forms :
+       {forms_of(points, nearest(20), oriented), forms_of(points, within_radius(0.08), oriented)}) {
     check_le(largest_curvature(forms), 1e-9, "the sides of a slab are flat");
     for (std::size_t i = 0; i < points.size(); ++i)
       check_near(forms[i].normal_direction() * points[i].second, 2, 1e-12, "the normal of a side");
@@ -264,8 +267,9 @@ void cancelling()
   const Points points = on_torus(5000);
   Forms forms;
   int calls = 0;
-  const auto summary = CGAL::estimate_point_monge_forms(points, nearest(12), std::back_inserter(forms),
-                                                        CGAL::parameters::callback([&](double) { return ++calls < 2; }));
+  const auto summary =
+      CGAL::estimate_point_monge_forms(points, nearest(12), std::back_inserter(forms),
+                                       CGAL::parameters::callback([&](double) { return ++calls < 2; }));
   check_true(summary.cancelled, "a cancelled call says so");
   check_equal(forms.size(), summary.estimated + summary.skipped, "a form for each point that was reached");
   check_ge(forms.size(), std::size_t(1), "some were");

@@ -27,7 +27,8 @@ void check_same_form(const Form& form, const Form& expected, double size, const 
   const auto vec = [](const auto& v) {
     return Vec3<double>(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
   };
-  if (!check_equal(form.coefficients().size(), expected.coefficients().size(), what + ": number of coefficients")) return;
+  if (!check_equal(form.coefficients().size(), expected.coefficients().size(), what + ": number of coefficients"))
+    return;
   check_le(length(vec(form.origin()) - vec(expected.origin())), 1e-10 * size, what + ": origin");
   check_le(length(vec(form.normal_direction()) - vec(expected.normal_direction())), 1e-10, what + ": normal");
   double power = 1, largest = 0, difference = 0;

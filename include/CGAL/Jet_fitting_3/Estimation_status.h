@@ -88,13 +88,20 @@ inline Estimation_status operator|(Estimation_status a, Estimation_status b) { r
 /// Writes the flags in words, separated by commas.
 inline std::ostream& operator<<(std::ostream& out, Estimation_status status)
 {
-  const struct { Status_flag flag; const char* name; } words[] = {
-    {Status_flag::estimated, "estimated"}, {Status_flag::isolated, "isolated"},
-    {Status_flag::not_finite, "not finite"}, {Status_flag::too_few_points, "too few points"},
-    {Status_flag::rank_deficient, "rank deficient"}, {Status_flag::degree_lowered, "degree lowered"},
-    {Status_flag::one_sided, "one-sided"}, {Status_flag::near_umbilic, "near umbilic"},
-    {Status_flag::pca_ambiguous, "pca ambiguous"},
-    {Status_flag::few_points_for_robust_loss, "few points for the robust loss"}};
+  const struct
+  {
+    Status_flag flag;
+    const char* name;
+  } words[] = {{Status_flag::estimated, "estimated"},
+               {Status_flag::isolated, "isolated"},
+               {Status_flag::not_finite, "not finite"},
+               {Status_flag::too_few_points, "too few points"},
+               {Status_flag::rank_deficient, "rank deficient"},
+               {Status_flag::degree_lowered, "degree lowered"},
+               {Status_flag::one_sided, "one-sided"},
+               {Status_flag::near_umbilic, "near umbilic"},
+               {Status_flag::pca_ambiguous, "pca ambiguous"},
+               {Status_flag::few_points_for_robust_loss, "few points for the robust loss"}};
   const char* separator = "";
   for (const auto& word : words) {
     if (!status.has(word.flag)) continue;

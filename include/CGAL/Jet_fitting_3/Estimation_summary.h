@@ -24,8 +24,8 @@ namespace Jet_fitting {
 /// How well a form is determined: what Monge_estimate tells of a single fit.
 struct Fit_quality
 {
-  std::size_t number_of_points = 0; ///< of the neighborhood, p included
-  double condition_number = 0;      ///< of the preconditioned system
+  std::size_t number_of_points = 0;        ///< of the neighborhood, p included
+  double condition_number = 0;             ///< of the preconditioned system
   double residual_rms = 0;                 ///< length
   Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
 };
@@ -58,8 +58,10 @@ public:
 
   std::size_t estimated = 0; ///< number of items with a form
   std::size_t skipped = 0;   ///< number of items without, their forms are empty
-  bool cancelled = false;    ///< by the callback: estimated + skipped may be less than all, the forms of the rest are untouched
-  std::vector<std::pair<Item, Estimation_status>> skipped_items; ///< which, and why; in their order in the mesh or range
+  bool cancelled =
+      false; ///< by the callback: estimated + skipped may be less than all, the forms of the rest are untouched
+  std::vector<std::pair<Item, Estimation_status>>
+      skipped_items; ///< which, and why; in their order in the mesh or range
 
   /// Of one item, unknown where it was not reached or does not belong to the mesh or range.
   Estimation_status status(const Item& item) const

@@ -107,8 +107,7 @@ struct Curvedness
   template <class DataKernel>
   double operator()(const Monge_form<DataKernel>& form) const
   {
-    return std::hypot(as_double(form.principal_curvatures(0)), as_double(form.principal_curvatures(1))) /
-           std::sqrt(2.);
+    return std::hypot(as_double(form.principal_curvatures(0)), as_double(form.principal_curvatures(1))) / std::sqrt(2.);
   }
 };
 
@@ -141,7 +140,7 @@ inline constexpr Curvedness curvedness{};
 template <class Items, class FormMap, class Quantity, class ValueMap>
 void write_quantity(const Items& items, const FormMap& form_map, const Quantity& quantity, ValueMap value_map,
                     const typename boost::property_traits<ValueMap>::value_type& if_empty =
-                      std::numeric_limits<typename boost::property_traits<ValueMap>::value_type>::quiet_NaN())
+                        std::numeric_limits<typename boost::property_traits<ValueMap>::value_type>::quiet_NaN())
 {
   using Value = typename boost::property_traits<ValueMap>::value_type;
   for (const auto& item : items) {

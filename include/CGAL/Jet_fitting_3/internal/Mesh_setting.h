@@ -75,7 +75,8 @@ public:
       });
     } else {
       const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
-      const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained, m_points);
+      const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained,
+                                                                               m_points);
       return compact(cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); });
     }
   }

@@ -110,15 +110,17 @@ public:
   void nearest(Index seed, std::size_t k, std::vector<Index>& out) const
   {
     const std::size_t begin = out.size();
-    for (std::size_t sought = k; ; sought = (std::min)(2 * sought, 8 * k)) {
+    for (std::size_t sought = k;; sought = (std::min)(2 * sought, 8 * k)) {
       out.resize(begin);
       out.push_back(seed);
       if (!m_points.is_finite(seed)) return;
       const Normal_table::Same_side same_side(m_normals, m_normals[seed]);
-      const K_neighbor_search search(m_tree, m_places[seed], static_cast<unsigned int>((std::min)(sought, m_tree.size())),
-                                     0., true, Distance(m_map));
+      const K_neighbor_search search(m_tree, m_places[seed],
+                                     static_cast<unsigned int>((std::min)(sought, m_tree.size())), 0., true,
+                                     Distance(m_map));
       for (const auto& found : search)
-        if (out.size() < begin + k && is_another(found.first, seed) && same_side(found.first)) out.push_back(found.first);
+        if (out.size() < begin + k && is_another(found.first, seed) && same_side(found.first))
+          out.push_back(found.first);
       if (out.size() == begin + k || sought >= m_tree.size() || sought == 8 * k) return;
     }
   }

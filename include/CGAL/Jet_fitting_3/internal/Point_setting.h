@@ -39,7 +39,8 @@ struct Brings_maps<Range, std::void_t<decltype(std::declval<const Range&>().poin
                                       decltype(std::declval<const Range&>().normal_map())>> : std::true_type
 {};
 
-struct No_normals {};
+struct No_normals
+{};
 
 template <class Range, class NamedParameters>
 auto point_map_of(const Range& range, const NamedParameters& np)
@@ -47,10 +48,8 @@ auto point_map_of(const Range& range, const NamedParameters& np)
   using Item = typename std::iterator_traits<decltype(std::begin(range))>::value_type;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
     return parameters::get_parameter(np, internal_np::point_map);
-  else if constexpr (Brings_maps<Range>::value)
-    return range.point_map();
-  else
-    return Identity_property_map<const Item>();
+  else if constexpr (Brings_maps<Range>::value) return range.point_map();
+  else return Identity_property_map<const Item>();
 }
 
 template <class Range, class NamedParameters>
@@ -58,10 +57,8 @@ auto normal_map_of(const Range& range, const NamedParameters& np)
 {
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
     return parameters::get_parameter(np, internal_np::normal_map);
-  else if constexpr (Brings_maps<Range>::value)
-    return range.normal_map();
-  else
-    return No_normals();
+  else if constexpr (Brings_maps<Range>::value) return range.normal_map();
+  else return No_normals();
 }
 
 /// What the estimation at all points of a range needs of it, copied into compact tables once for each call.
@@ -73,8 +70,9 @@ class Point_setting
   using Point = typename boost::property_traits<Point_map>::value_type;
 
 public:
-  using Kernel = typename internal_np::Lookup_named_param_def<
-    internal_np::geom_traits_t, NamedParameters, typename Kernel_traits<std::remove_cv_t<Point>>::Kernel>::type;
+  using Kernel =
+      typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                   typename Kernel_traits<std::remove_cv_t<Point>>::Kernel>::type;
 
   Point_setting(const Range& range, const NamedParameters& np)
   {

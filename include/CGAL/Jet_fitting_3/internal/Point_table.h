@@ -46,12 +46,16 @@ public:
   Vector_3<double> offset(Index from, Index to) const
   {
     const Vector_3<FT>&a = m_points[from], &b = m_points[to];
-    using Wider = std::conditional_t<std::is_same<FT, float>::value, double, FT>; // a difference of floats is exact in it
+    using Wider =
+        std::conditional_t<std::is_same<FT, float>::value, double, FT>; // a difference of floats is exact in it
     return {double(Wider(b.x) - a.x), double(Wider(b.y) - a.y), double(Wider(b.z) - a.z)};
   }
 
   /// Relative to a point that is the same for all.
-  Vector_3<double> place(Index i) const { return {double(m_points[i].x), double(m_points[i].y), double(m_points[i].z)}; }
+  Vector_3<double> place(Index i) const
+  {
+    return {double(m_points[i].x), double(m_points[i].y), double(m_points[i].z)};
+  }
 
 private:
   /// No digit of a float is lost.

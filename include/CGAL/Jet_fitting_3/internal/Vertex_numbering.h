@@ -35,7 +35,8 @@ constexpr Index no_index = 0xffffffff;
 /// Leaves numbers for copies of vertices on sharp edges (Compact_mesh.h).
 constexpr std::size_t most_vertices = std::size_t(1) << 30;
 
-struct No_ids {};
+struct No_ids
+{};
 
 /// The ids that come with a mesh: the named parameter vertex_index_map, else the mesh's own, else No_ids.
 template <class Mesh, class NamedParameters>
@@ -43,10 +44,8 @@ auto vertex_ids(const Mesh& mesh, const NamedParameters& np)
 {
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::vertex_index_t>::value)
     return parameters::get_parameter(np, internal_np::vertex_index);
-  else if constexpr (graph_has_property<Mesh, boost::vertex_index_t>::value)
-    return get(boost::vertex_index, mesh);
-  else
-    return No_ids();
+  else if constexpr (graph_has_property<Mesh, boost::vertex_index_t>::value) return get(boost::vertex_index, mesh);
+  else return No_ids();
 }
 
 /// Numbers the vertices of a mesh 0, 1, 2, ... without gaps, in the order of vertices(mesh).

@@ -27,7 +27,7 @@ template <class DataKernel, class NamedParameters>
 struct Fitting_parameters
 {
   using Default_number =
-    std::conditional_t<std::is_same<typename DataKernel::FT, long double>::value, long double, double>;
+      std::conditional_t<std::is_same<typename DataKernel::FT, long double>::value, long double, double>;
   using Svd_traits = typename internal_np::Lookup_named_param_def<internal_np::svd_traits_t, NamedParameters,
                                                                   Default_svd<Default_number>>::type;
   using Local_kernel = Simple_cartesian<typename Svd_traits::FT>;

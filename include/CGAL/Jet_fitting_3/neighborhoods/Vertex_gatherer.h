@@ -39,7 +39,8 @@ public:
   /// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
   ///        estimate_vertex_monge_forms()
   explicit Vertex_gatherer(const Mesh& mesh, const NamedParameters& np = parameters::default_values())
-    : m_setting(mesh, np), m_compact(m_setting.compact(np)), m_growth(m_compact, m_setting.points(), m_setting.normals())
+    : m_setting(mesh, np), m_compact(m_setting.compact(np)),
+      m_growth(m_compact, m_setting.points(), m_setting.normals())
   {}
 
   Vertex_gatherer(const Vertex_gatherer&) = delete;

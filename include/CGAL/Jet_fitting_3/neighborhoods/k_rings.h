@@ -31,7 +31,7 @@ public:
   /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
-    -> decltype(gatherer.k_rings(seed, std::size_t(), output))
+      -> decltype(gatherer.k_rings(seed, std::size_t(), output))
   {
     gatherer.k_rings(seed, m_k, output);
   }

@@ -30,7 +30,7 @@ public:
   /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
-    -> decltype(gatherer.within_radius(seed, double(), output))
+      -> decltype(gatherer.within_radius(seed, double(), output))
   {
     gatherer.within_radius(seed, m_radius, output);
   }
