@@ -15,20 +15,25 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
 
+/// Of columns with whole blocks of rows.
 template <class FT>
-FT square_norm(const FT* q, std::size_t rows)
+FT inner_product(const FT* a, const FT* b, std::size_t rows)
 {
   using Rows = Row_block<FT>;
-  // two sums: the next column waits for this one, and an addition takes several cycles
-  typename Rows::type sum(FT(0)), other_sum(FT(0));
+  typename Rows::type sum(FT(0)), other_sum(FT(0)); // two, because an addition takes several cycles
   std::size_t i = 0;
   for (; i + Rows::size < rows; i += 2 * Rows::size) {
-    const auto qi = Rows::load(q + i), qj = Rows::load(q + i + Rows::size);
-    sum = sum + qi * qi;
-    other_sum = other_sum + qj * qj;
+    sum = sum + Rows::load(a + i) * Rows::load(b + i);
+    other_sum = other_sum + Rows::load(a + i + Rows::size) * Rows::load(b + i + Rows::size);
   }
-  if (i < rows) sum = sum + Rows::load(q + i) * Rows::load(q + i);
+  if (i < rows) sum = sum + Rows::load(a + i) * Rows::load(b + i);
   return Rows::sum(sum + other_sum);
+}
+
+template <class FT>
+FT square_norm(const FT* a, std::size_t rows)
+{
+  return inner_product(a, a, rows);
 }
 
 /// Makes `count` columns orthogonal to q, given 1 / (q . q); writes their components along q. Several columns at a time:

@@ -30,25 +30,20 @@ void rotate_columns(std::size_t rows, const Rotation<FT>& rotation, FT* a, FT* b
 
 /// One-sided Jacobi method: rotates the columns of `a` until they are orthogonal; their norms are then the singular
 /// values. The rotations are applied to the columns of `v` too, unless it has none. It works in every number type and
-/// finds small singular values to high relative accuracy.
+/// finds small singular values to high relative accuracy. `rows` are whole blocks.
 template <class FT>
 void orthogonalize_by_rotations(std::size_t rows, std::size_t columns, FT* a, std::size_t v_rows, FT* v)
 {
-  const auto inner_product = [rows](const FT* p, const FT* q) {
-    FT sum(0);
-    for (std::size_t i = 0; i < rows; ++i) sum = sum + p[i] * q[i];
-    return sum;
-  };
   const FT negligible = FT(epsilon<FT>()) * FT(epsilon<FT>());
   const int most_sweeps = 40;
   for (int sweep = 0, rotations = 1; sweep < most_sweeps && rotations > 0; ++sweep) {
     rotations = 0;
     FT largest(0);
-    for (std::size_t j = 0; j < columns; ++j) largest = larger(largest, inner_product(a + j * rows, a + j * rows));
+    for (std::size_t j = 0; j < columns; ++j) largest = larger(largest, square_norm(a + j * rows, rows));
     for (std::size_t p = 0; p + 1 < columns; ++p)
       for (std::size_t q = p + 1; q < columns; ++q) {
         FT *ap = a + p * rows, *aq = a + q * rows;
-        const FT pp = inner_product(ap, ap), qq = inner_product(aq, aq), pq = inner_product(ap, aq);
+        const FT pp = square_norm(ap, rows), qq = square_norm(aq, rows), pq = inner_product(ap, aq, rows);
         const bool is_orthogonal = !(pq * pq > negligible * pp * qq);
         const bool is_noise = !(pp > negligible * largest) || !(qq > negligible * largest);
         if (is_orthogonal || (is_noise && !(pq * pq > negligible * negligible * largest * largest))) continue;
@@ -66,8 +61,7 @@ FT ratio_of_norms(std::size_t rows, std::size_t columns, const FT* a)
 {
   FT largest(0), smallest(0);
   for (std::size_t j = 0; j < columns; ++j) {
-    FT square(0);
-    for (std::size_t i = 0; i < rows; ++i) square = square + a[j * rows + i] * a[j * rows + i];
+    const FT square = square_norm(a + j * rows, rows);
     largest = larger(largest, square);
     smallest = j == 0 || square < smallest ? square : smallest;
   }
