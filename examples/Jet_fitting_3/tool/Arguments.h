@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXAMPLES_JET_FITTING_3_TOOL_ARGUMENTS_H
+#define CGAL_EXAMPLES_JET_FITTING_3_TOOL_ARGUMENTS_H
+
+#include <CGAL/Jet_fitting_3/Options.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+enum class Ridges
+{
+  none,
+  max,
+  min,
+  crest,
+  all
+};
+enum class Drawn
+{
+  nothing,
+  ridges,
+  ridges_and_umbilics,
+  directions
+};
+
+// What the user wants. Unset numbers stand for a choice that depends on the others.
+struct Arguments
+{
+  std::string input;
+  bool quiet = false, verbose = false;
+
+  std::size_t degree_jet = 2, degree_monge = 2;
+  std::optional<int> rings, points;
+  std::optional<double> radius, sharp_angle;
+  CGAL::Jet_fitting::Options options;
+  int threads = 0; // all
+
+  std::vector<std::string> outputs, ridge_outputs, direction_outputs;
+  bool minimal_directions = false;
+
+  Ridges ridges = Ridges::none;
+  int ridge_order = 4;
+  double least_strength = 0, least_sharpness = 0, umbilic_size = 2;
+
+  std::string color = "H";
+  double percentile = 2;
+  std::string picture;
+  Drawn drawn = Drawn::nothing;
+  std::array<double, 3> view{{0.3, -0.6, 0.8}}, up{{0, 0, 1}};
+  int width = 1200, height = 900;
+
+  bool draws_ridges() const { return drawn == Drawn::ridges || drawn == Drawn::ridges_and_umbilics; }
+};
+
+} // namespace tool
+
+#endif // CGAL_EXAMPLES_JET_FITTING_3_TOOL_ARGUMENTS_H

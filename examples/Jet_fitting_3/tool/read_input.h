@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXAMPLES_JET_FITTING_3_TOOL_READ_INPUT_H
+#define CGAL_EXAMPLES_JET_FITTING_3_TOOL_READ_INPUT_H
+
+#include "Surface.h"
+#include "why_not_a_mesh.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Point_set_3/IO.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <iostream>
+#include <stdexcept>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+// What is wrong with the input, in one sentence.
+class Input_error : public std::runtime_error
+{
+public:
+  Input_error(const std::string& file, const std::string& what) : std::runtime_error(file + ": " + what) {}
+};
+
+// The letters behind the last dot, in lower case.
+inline std::string extension(const std::string& file)
+{
+  const std::size_t dot = file.find_last_of("./");
+  if (dot == std::string::npos || file[dot] != '.') return "";
+  std::string letters = file.substr(dot + 1);
+  std::transform(letters.begin(), letters.end(), letters.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return letters;
+}
+
+inline bool is_one_of(const std::string& word, std::initializer_list<const char*> words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+inline void check_readable(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file))
+    throw Input_error(file, "there is no such file, or it may not be read");
+  if (in.get() == std::ifstream::traits_type::eof()) throw Input_error(file, "the file is empty");
+}
+
+// CGAL's readers write their own remarks to std::cerr.
+class Silence
+{
+public:
+  Silence() : m_buffer(std::cerr.rdbuf(nullptr)) {}
+  ~Silence()
+  {
+    std::cerr.rdbuf(m_buffer);
+    std::cerr.clear();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  std::streambuf* m_buffer;
+};
+
+inline Mesh read_point_set(const std::string& file)
+{
+  CGAL::Point_set_3<Point> points;
+  if (!CGAL::IO::read_point_set(file, points))
+    throw Input_error(file, "not a complete file of points: it is cut short or malformed");
+  Mesh mesh;
+  mesh.reserve(static_cast<Mesh::size_type>(points.size()), 0, 0);
+  for (auto i : points) mesh.add_vertex(points.point(i));
+  auto normals = mesh.add_property_map<Vertex, Vector>(normals_of_points, CGAL::NULL_VECTOR).first;
+  if (points.has_normal_map()) {
+    auto v = mesh.vertices_begin();
+    for (auto i : points) normals[*v++] = points.normal(i);
+  }
+  return mesh;
+}
+
+inline Mesh read_mesh(const std::string& file)
+{
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(file, mesh)) {
+    std::vector<Point> points;
+    std::vector<std::vector<std::size_t>> faces;
+    if (!CGAL::IO::read_polygon_soup(file, points, faces))
+      throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+    throw Input_error(file, why_not_a_mesh(points.size(), faces));
+  }
+  return mesh;
+}
+
+// Reads a mesh or, from a file that has no faces, a point set. \throw Input_error
+inline Mesh read_input(const std::string& file)
+{
+  check_readable(file);
+  const Silence silence;
+  const std::string format = extension(file);
+  Mesh mesh;
+  if (is_one_of(format, {"off", "obj", "ply", "stl", "ts"})) {
+    mesh = read_mesh(file);
+    if (is_point_set(mesh) && is_one_of(format, {"off", "ply"})) mesh = read_point_set(file);
+    else if (is_point_set(mesh)) throw Input_error(file, "the mesh has no faces");
+  } else if (is_one_of(format, {"xyz", "pwn"})) {
+    mesh = read_point_set(file);
+  } else if (format == "las") {
+#ifdef CGAL_LINKED_WITH_LASLIB
+    mesh = read_point_set(file);
+#else
+    throw Input_error(file, "LAS files cannot be read: this program was compiled without LASlib");
+#endif
+  } else if (format == "vtp") {
+#ifdef CGAL_USE_VTK
+    mesh = read_mesh(file);
+#else
+    throw Input_error(file, "VTP files cannot be read: this program was compiled without VTK");
+#endif
+  } else {
+    throw Input_error(file, "unknown format '" + format +
+                                "': meshes are read from off, obj, ply, stl and vtp files, "
+                                "points from xyz, pwn, off, ply and las files");
+  }
+  if (mesh.number_of_vertices() == 0) throw Input_error(file, "no vertices and no points");
+  return mesh;
+}
+
+} // namespace tool
+
+#endif // CGAL_EXAMPLES_JET_FITTING_3_TOOL_READ_INPUT_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_EXAMPLES_JET_FITTING_3_TOOL_WRITE_TEXT_H
+#define CGAL_EXAMPLES_JET_FITTING_3_TOOL_WRITE_TEXT_H
+
+#include "Lines.h"
+#include "Quantities.h"
+#include "Surface.h"
+#include "estimate.h"
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+namespace tool {
+
+// A line for each vertex, after a line of names, with all digits.
+inline void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Quantity>& quantities,
+                      const std::vector<std::uint16_t>& statuses)
+{
+  out.precision(17);
+  out << "x,y,z";
+  for (const Quantity& q : quantities)
+    for (int c = 0; c < q.components; ++c) out << ',' << q.name_of(c);
+  out << ",status\n";
+  for (Vertex v : mesh.vertices()) {
+    out << mesh.point(v).x() << ',' << mesh.point(v).y() << ',' << mesh.point(v).z();
+    for (const Quantity& q : quantities)
+      for (int c = 0; c < q.components; ++c) out << ',' << q.value(v, c);
+    out << ',' << statuses[v] << '\n';
+  }
+}
+
+// Lines of a Wavefront OBJ file.
+inline void write_obj(std::ostream& out, const std::vector<Line>& lines)
+{
+  out.precision(9);
+  std::size_t number = 0;
+  for (const Line& line : lines) {
+    for (const Point& p : line.points) out << "v " << p << '\n';
+    out << 'l';
+    for (std::size_t i = 0; i < line.points.size(); ++i) out << ' ' << ++number;
+    out << '\n';
+  }
+}
+
+inline double mean_edge_length(const Mesh& mesh, Vertex v)
+{
+  double sum = 0;
+  int edges = 0;
+  for (Mesh::Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v))) {
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(mesh.source(h))));
+    ++edges;
+  }
+  return edges > 0 ? sum / edges : 0;
+}
+
+// The file of CGAL's program of this name: the vertex, and Monge_form::dump_4ogl() with half the mean edge length.
+// Skipped vertices are left out.
+inline void write_4ogl(std::ostream& out, const Mesh& mesh, const Estimates& estimates)
+{
+  for (Vertex v : mesh.vertices()) {
+    if (estimates.forms[v].coefficients().empty()) continue;
+    const double half = mesh.is_isolated(v) ? 1. : mean_edge_length(mesh, v) / 2;
+    out << mesh.point(v) << ' ';
+    estimates.forms[v].dump_4ogl(out, half);
+  }
+}
+
+// For the human reader.
+inline void write_verbose(std::ostream& out, const Mesh& mesh, const Estimates& estimates)
+{
+  CGAL::IO::set_pretty_mode(out);
+  for (Vertex v : mesh.vertices()) {
+    out << "--- vertex " << v + 1u << " : " << mesh.point(v) << '\n' << "status : " << estimates.statuses[v] << '\n';
+    if (!estimates.statuses[v].is_estimated()) continue;
+    out << "number of points used : " << estimates.numbers_of_points[v] << '\n'
+        << "condition_number : " << estimates.condition_numbers[v] << '\n'
+        << "residual : " << estimates.residuals[v] << '\n'
+        << estimates.forms[v];
+  }
+}
+
+} // namespace tool
+
+#endif // CGAL_EXAMPLES_JET_FITTING_3_TOOL_WRITE_TEXT_H
