@@ -51,7 +51,7 @@ function sequence(closing,    result, c) {
       ++at
       return result
     }
-    if (c ~ /[-+]/ && closing == "" && result ~ /[^( ]$/) {
+    if (c ~ /[-+]/ && !small && result ~ /[^( ]$/) {
       ++at
       result = result "&nbsp;" (c == "-" ? "&minus;" : "+") " "
     } else {
@@ -62,9 +62,12 @@ function sequence(closing,    result, c) {
   return result
 }
 
-function script(tag) {
+function script(tag,    result) {
   ++at
-  return "<" tag ">" atom() "</" tag ">"
+  ++small
+  result = "<" tag ">" atom() "</" tag ">"
+  --small
+  return result
 }
 
 # One character, command or group.
