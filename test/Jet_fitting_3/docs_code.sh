@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every C++ code block of README.md, CONTRIBUTING.md and the manual is a run of lines of an example or test that is
-# compiled, up to a common indentation; every command in a block of shell lines names a file that is there.
+# Every C++ code block of README.md, CONTRIBUTING.md and the manual is a run of lines of an example, test or header that is
+# compiled, up to indentation; every command in a block of shell lines names a file that is there.
 # usage: docs_code.sh <root of the package>
 set -u
 LC_ALL=C
@@ -15,55 +15,53 @@ fail() {
   failures=$((failures + 1))
 }
 
-# blocks <file> <begin> <end> <prefix>: writes the lines between begin and end to <prefix>1, <prefix>2, ...
+# blocks <file> <first line> <last line> <prefix>: writes what is between these lines to <prefix>1, <prefix>2, ...
 blocks() {
-  awk -v begin="$2" -v end="$3" -v prefix="$4" '
-    inside && $0 ~ end { inside = 0; close(file) }
+  begin=$2 end=$3 prefix=$4 awk '
+    inside && $0 == ENVIRON["end"] { inside = 0; close(file) }
     inside { print > file }
-    !inside && $0 ~ begin { inside = 1; file = prefix ++n; printf "" > file }' "$1"
+    !inside && $0 == ENVIRON["begin"] { inside = 1; file = ENVIRON["prefix"] (++n); printf "" > file }' "$1"
 }
 
 # What is compiled: what a CMakeLists.txt names, and the headers beside it.
-compiled=$(for folder in examples/Jet_fitting_3 test/Jet_fitting_3; do
+compiled="$(for folder in examples/Jet_fitting_3 test/Jet_fitting_3; do
   tr -c 'A-Za-z0-9_./' '\n' < $folder/CMakeLists.txt | sort -u | while read -r word; do
     for file in "$folder/$word" "$folder/$word.cpp"; do
       case $file in *.cpp) [ ! -f "$file" ] || echo "$file" ;; esac
     done
   done
   find $folder -maxdepth 2 -name '*.h'
-done | sort -u)
+done | sort -u) $(find include -name '*.h')"
 
 # is_in_a_compiled_file <block>
 is_in_a_compiled_file() {
   # shellcheck disable=SC2086
   awk '
-    function stripped(line) { sub(/^ +/, "", line); return line }
-    FNR == 1 { ++file; matched = 0 }
-    file == 1 { block[++n] = stripped($0); if ($0 !~ /^ *$/ || n > 1) size = n; next }
+    function stripped(text) { sub(/^ +/, "", text); return text }
+    FNR == 1 { ++file }
+    file == 1 { block[++size] = stripped($0); next }
     found { next }
     {
-      # matched lines so far; on a mismatch the search starts again behind the first of them
       line[FNR] = stripped($0)
-      for (start = FNR - size + 1; start > 0; start = 0) {
-        same = 1
-        for (i = 1; i <= size && same; ++i) same = line[start + i - 1] == block[i]
-        if (same) { found = 1; print FILENAME ":" start }
-      }
+      same = FNR >= size
+      for (i = 1; i <= size && same; ++i) same = line[FNR - size + i] == block[i]
+      if (same) { found = 1; print FILENAME ":" FNR - size + 1 }
     }
     END { exit !found }' "$1" $compiled
 }
 
 for text in README.md CONTRIBUTING.md; do
-  blocks "$text" '^```(cpp|c\+\+)$' '^```$' "$scratch/cpp_$text."
-  blocks "$text" '^```sh$' '^```$' "$scratch/sh_$text."
+  blocks "$text" '```cpp' '```' "$scratch/cpp_$text."
+  blocks "$text" '```sh' '```' "$scratch/sh_$text."
 done
 for text in doc/Jet_fitting_3/*.txt; do
-  blocks "$text" '^\\code\{.cpp\}$' '^\\endcode$' "$scratch/cpp_$(basename "$text")."
+  blocks "$text" '\code{.cpp}' '\endcode' "$scratch/cpp_$(basename "$text")."
 done
 
 count=0
 for block in "$scratch"/cpp_*; do
   count=$((count + 1))
+  [ -s "$block" ] || fail "an empty block: ${block#"$scratch"/cpp_}"
   is_in_a_compiled_file "$block" || fail "this block of ${block#"$scratch"/cpp_} is in no compiled example:
 $(cat "$block")"
 done
