@@ -59,12 +59,12 @@ foreach(library IN ITEMS CGAL::CGAL CGAL::Data CGAL::Eigen3_support)
   endif()
 endforeach()
 
-# jet_fitting_3_add_program(<target> <source> [CORE] [STRICT] [REQUIRES <target>...])
-#   declares an executable, linked with CGAL::Jet_fitting_3 (CORE: with our headers alone, CGAL may be missing) and with
-#   the required targets; leaves it out with a notice where one of them is missing. STRICT turns on the warnings that
-#   our headers are to be free of.
+# jet_fitting_3_add_program(<target> <source> [CORE] [STRICT] [REQUIRES <library>...] [USES <library>...])
+#   declares an executable, linked with CGAL::Jet_fitting_3 (CORE: with our headers alone, CGAL may be missing), with the
+#   required libraries and with those of the used ones that are found; leaves it out with a notice where a required one
+#   is missing. STRICT turns on the warnings that our headers are to be free of.
 function(jet_fitting_3_add_program target source)
-  cmake_parse_arguments(PARSE_ARGV 2 program "CORE;STRICT" "" "REQUIRES")
+  cmake_parse_arguments(PARSE_ARGV 2 program "CORE;STRICT" "" "REQUIRES;USES")
   if(NOT program_CORE)
     list(PREPEND program_REQUIRES CGAL::CGAL CGAL::Eigen3_support)
   endif()
@@ -80,6 +80,11 @@ function(jet_fitting_3_add_program target source)
   else()
     target_link_libraries(${target} PRIVATE CGAL::Jet_fitting_3 ${program_REQUIRES})
   endif()
+  foreach(library IN LISTS program_USES)
+    if(TARGET ${library})
+      target_link_libraries(${target} PRIVATE ${library})
+    endif()
+  endforeach()
   if(program_STRICT)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion)
   endif()
