@@ -140,6 +140,7 @@ public:
   }
 
   /// From forms that are estimated already. Those of degree less than 3 count as skipped.
+  /// \param mesh read only here
   /// \param form_map readable, from vertex to Monge_form, consistently oriented
   /// \param summary what estimate_vertex_monge_forms() returned with them
   template <class FormMap>
@@ -172,8 +173,10 @@ public:
   Vector_map d1, d2;
   /// @}
 
+  /// @{
   /// The other two third order coefficients, for the cubic form at umbilics.
   Scalar_map b1, b2;
+  /// @}
 
   /// Whether the values at a vertex are its own. Otherwise it was skipped, or estimated with a degree less than 3.
   bool is_estimated(vertex_descriptor v) const { return m_is_estimated[(*m_number)(v)]; }
