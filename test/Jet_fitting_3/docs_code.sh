@@ -79,6 +79,12 @@ whole=$(sed '1,/^$/d' examples/Jet_fitting_3/first_example.cpp)
 [ "$(cat "$scratch/cpp_README.md.1")" = "$whole" ] ||
   fail "the first block of README.md is not examples/Jet_fitting_3/first_example.cpp behind its header"
 
+# Every example is listed in the manual.
+for example in examples/Jet_fitting_3/*.cpp; do
+  grep -qx "\\\\example Jet_fitting_3/$(basename "$example")" doc/Jet_fitting_3/examples.txt ||
+    fail "doc/Jet_fitting_3/examples.txt has no $(basename "$example")"
+done
+
 # Files that the texts name in backquotes are there.
 for text in README.md CONTRIBUTING.md; do
   grep -oE '`[a-z_]+/[A-Za-z0-9_./-]+`' "$text" | tr -d '`' | sort -u | while read -r file; do
