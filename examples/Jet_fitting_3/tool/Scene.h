@@ -31,7 +31,7 @@ public:
     out << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nbackground { rgb 1 }\n"
         << "camera { orthographic location <0, 0, " << -front - 1 << "> direction z right x * " << width
         << " up y * 2 }\n"
-        << "light_source { <-6, 9, -14> rgb 0.9 parallel point_at 0 }\n"
+        << "light_source { <-6, 9, -14> rgb 0.9 parallel point_at 0 shadowless }\n"
         << "light_source { <10, 2, -12> rgb 0.35 parallel point_at 0 shadowless }\n"
         << "#default { finish { ambient 0.2 diffuse 0.8 specular 0.08 roughness 0.04 } }\n"
         << "#declare Flat = finish { ambient 0 diffuse 0 emission 1 specular 0 };\n";

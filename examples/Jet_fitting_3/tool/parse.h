@@ -8,12 +8,16 @@
 #define CGAL_EXAMPLES_JET_FITTING_3_TOOL_PARSE_H
 
 #include "Arguments.h"
+#include "extension.h"
 
+#include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Surface_mesh.h> // data_file_path()
 
 #include <boost/program_options.hpp>
 
 #include <array>
+#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -55,6 +59,16 @@ inline std::array<double, 3> direction(const po::variables_map& given, const cha
     if (!in || comma != ',') throw Usage_error("--" + std::string(option) + " takes three numbers, as in 1,0,0.5");
   }
   return d;
+}
+
+using Extensions = std::initializer_list<const char*>;
+
+inline void check_extension(const std::string& option, const std::string& file, const Extensions& formats)
+{
+  if (is_one_of(extension(file), formats)) return;
+  std::string words;
+  for (const char* format : formats) words += (words.empty() ? "." : ", .") + std::string(format);
+  throw Usage_error("--" + option + ' ' + file + ": the name must end in one of " + words);
 }
 
 template <class Number>
@@ -218,6 +232,10 @@ private:
     if (a.rings && *a.rings < 0) throw Usage_error("--nb-rings must not be negative");
     if (a.radius && (a.points || a.rings.value_or(0) > 0))
       throw Usage_error("--radius goes neither with --nb-points nor with --nb-rings");
+    const std::size_t least = CGAL::Jet_fitting::number_of_jet_coefficients(a.degree_jet);
+    if (a.points && static_cast<std::size_t>(*a.points) < least)
+      throw Usage_error("--nb-points must be at least " + std::to_string(least) + " for degree " +
+                        std::to_string(a.degree_jet));
     a.sharp_angle = positive<double>(given, "sharp-angle");
 
     using CGAL::Jet_fitting::Loss;
@@ -240,12 +258,15 @@ private:
 
   static void set_output(const po::variables_map& given, Arguments& a)
   {
-    const auto files = [&](const char* option) {
-      return given.count(option) != 0 ? given[option].as<std::vector<std::string>>() : std::vector<std::string>();
+    const auto files = [&](const char* option, const Extensions& formats) {
+      std::vector<std::string> names;
+      if (given.count(option) != 0) names = given[option].as<std::vector<std::string>>();
+      for (const std::string& name : names) check_extension(option, name, formats);
+      return names;
     };
-    a.outputs = files("output");
-    a.direction_outputs = files("directions");
-    a.ridge_outputs = files("ridges-output");
+    a.outputs = files("output", {"ply", "vtp", "csv"});
+    a.direction_outputs = files("directions", {"ply", "vtp", "obj"});
+    a.ridge_outputs = files("ridges-output", {"ply", "vtp", "obj"});
     if (!a.ridge_outputs.empty() && a.ridges == Ridges::none) throw Usage_error("--ridges-output needs --ridges");
     a.minimal_directions = choice<bool>(given, "direction", {{"max", false}, {"min", true}});
     a.color = given["color"].as<std::string>();
@@ -255,7 +276,10 @@ private:
 
   static void set_picture(const po::variables_map& given, Arguments& a)
   {
-    if (given.count("picture") != 0) a.picture = given["picture"].as<std::string>();
+    if (given.count("picture") != 0) {
+      a.picture = given["picture"].as<std::string>();
+      check_extension("picture", a.picture, {"png", "pov"});
+    }
     a.drawn = a.ridges != Ridges::none ? Drawn::ridges : Drawn::nothing;
     if (given.count("draw") != 0)
       a.drawn = choice<Drawn>(given, "draw",
@@ -267,6 +291,9 @@ private:
       throw Usage_error("--draw ridges and --draw umbilics need --ridges");
     a.view = direction(given, "view");
     a.up = direction(given, "up");
+    const std::array<double, 3>&v = a.view, &u = a.up;
+    if (!(std::hypot(v[1] * u[2] - v[2] * u[1], v[2] * u[0] - v[0] * u[2], v[0] * u[1] - v[1] * u[0]) > 0))
+      throw Usage_error("--view and --up must be two directions, not parallel");
     a.width = *positive<int>(given, "width");
     a.height = *positive<int>(given, "height");
   }

@@ -8,6 +8,7 @@
 #define CGAL_EXAMPLES_JET_FITTING_3_TOOL_READ_INPUT_H
 
 #include "Surface.h"
+#include "extension.h"
 #include "why_not_a_mesh.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -15,11 +16,8 @@
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <iostream>
 #include <stdexcept>
 #include <streambuf>
@@ -34,22 +32,6 @@ class Input_error : public std::runtime_error
 public:
   Input_error(const std::string& file, const std::string& what) : std::runtime_error(file + ": " + what) {}
 };
-
-// The letters behind the last dot, in lower case.
-inline std::string extension(const std::string& file)
-{
-  const std::size_t dot = file.find_last_of("./");
-  if (dot == std::string::npos || file[dot] != '.') return "";
-  std::string letters = file.substr(dot + 1);
-  std::transform(letters.begin(), letters.end(), letters.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return letters;
-}
-
-inline bool is_one_of(const std::string& word, std::initializer_list<const char*> words)
-{
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 inline void check_readable(const std::string& file)
 {
