@@ -75,10 +75,9 @@ public:
     if (b.m_entries.size() < columns) b.m_entries.resize(columns);
     lapack_int rank = 0;
     const FT machine_precision = -1.; // singular values below it, relative to the largest, count as zero
-    const lapack_int info =
-        LAPACKE_dgelss(LAPACK_COL_MAJOR, lapack_int(rows), lapack_int(columns), 1, a.data(), lapack_int(rows),
-                       b.m_entries.data(), lapack_int(b.m_entries.size()), singular_values.data(), machine_precision,
-                       &rank);
+    const lapack_int info = LAPACKE_dgelss(LAPACK_COL_MAJOR, lapack_int(rows), lapack_int(columns), 1, a.data(),
+                                           lapack_int(rows), b.m_entries.data(), lapack_int(b.m_entries.size()),
+                                           singular_values.data(), machine_precision, &rank);
     if (info != 0)
       throw Jet_fitting::Invalid_input("LAPACK's dgelss refused a system of " + std::to_string(rows) + " x " +
                                        std::to_string(columns) + ": info = " + std::to_string(info));

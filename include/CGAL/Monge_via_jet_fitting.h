@@ -50,7 +50,8 @@ using Default_svd = Jacobi_svd<FT>;
 /// Estimates the differential quantities of a sampled surface at a sample point by polynomial fitting, with CGAL
 /// kernels: the class of section 4.2.2 of the paper. A drop-in replacement for the class of this name in CGAL.
 ///
-/// The members that do the work are inherited: operator(), with or without a given coordinate system, estimate(),
+/// The members that do the work, and the types, are inherited from the class without CGAL: see
+/// Jet_fitting::Monge_via_jet_fitting. They are operator(), with or without a given coordinate system, estimate(),
 /// condition_number(), pca_basis().
 ///
 /// \tparam DataKernel a Cartesian CGAL kernel, that of the input points and of the resulting Monge form
@@ -61,9 +62,8 @@ using Default_svd = Jacobi_svd<FT>;
 template <class DataKernel, class LocalKernel = Simple_cartesian<double>,
           class SvdTraits = Jet_fitting::Default_svd<typename LocalKernel::FT>>
 class Monge_via_jet_fitting
-  : public Jet_fitting::Monge_via_jet_fitting<DataKernel, LocalKernel,
-                                              Jet_fitting::internal::Exact_first_converters<DataKernel, LocalKernel>,
-                                              SvdTraits>
+  : public Jet_fitting::Monge_via_jet_fitting<
+        DataKernel, LocalKernel, Jet_fitting::internal::Exact_first_converters<DataKernel, LocalKernel>, SvdTraits>
 {
 public:
   /// Conversions as CGAL's class of this name has them, for its users.

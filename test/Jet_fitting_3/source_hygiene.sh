@@ -62,7 +62,7 @@ done | awk '
     if (path !~ /^CGAL\//) return "other"
     if (path !~ /^CGAL\/Jet_fitting_3\//) return ours[path] ? "door" : "CGAL"
     sub(/^CGAL\/Jet_fitting_3\//, "", path)
-    if (path ~ /^(internal|neighborhoods)\// || path == "ridges.h") return "CGAL side"
+    if (path ~ /^(internal|neighborhoods)\// || path ~ /^(ridges|extract_ridges|extract_umbilics)\.h$/) return "CGAL side"
     if (path ~ /\//) { sub(/\/.*/, "", path); return path }
     if (path == "Fit_options.h" || path == "Invalid_input.h") return "values"
     return path == "estimation.h" ? "estimation" : "class"

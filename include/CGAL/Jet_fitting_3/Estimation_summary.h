@@ -88,19 +88,24 @@ public:
     return i < m_qualities.size() ? m_qualities[i] : Fit_quality();
   }
 
-  /// For the functions that estimate. There may be no qualities. item(i) and number_of(item) are inverse to each other.
-  template <class Item_of>
-  void set_reports(std::vector<Estimation_status> statuses, std::vector<Fit_quality> qualities, const Item_of& item,
+  /// For the functions that estimate. There may be no qualities. items are all of them in their order, number_of(item)
+  /// is the place of an item in the other two.
+  template <class Items>
+  void set_reports(std::vector<Estimation_status> statuses, std::vector<Fit_quality> qualities, const Items& items,
                    std::function<std::size_t(const Item&)> number_of)
   {
     m_statuses = std::move(statuses);
     m_qualities = std::move(qualities);
     m_number_of = std::move(number_of);
-    for (std::size_t i = 0; i < m_statuses.size(); ++i) {
-      if (m_statuses[i].is_estimated()) ++estimated;
-      else if (!m_statuses[i].is_unknown()) skipped_items.emplace_back(item(i), m_statuses[i]);
+    for (const Estimation_status& s : m_statuses) {
+      estimated += s.is_estimated();
+      skipped += !s.is_estimated() && !s.is_unknown();
     }
-    skipped = skipped_items.size();
+    if (skipped == 0) return;
+    for (const Item& item : items) {
+      const Estimation_status s = status(item);
+      if (!s.is_estimated() && !s.is_unknown()) skipped_items.emplace_back(item, s);
+    }
   }
 
 private:

@@ -56,7 +56,8 @@ inline void check_number_of_samples(std::size_t n, std::size_t d)
 inline double normalization_of_weights(const std::vector<double>& weights, std::size_t n)
 {
   if (weights.size() != n)
-    throw Invalid_input("there are " + std::to_string(weights.size()) + " weights for " + std::to_string(n) + " points");
+    throw Invalid_input("there are " + std::to_string(weights.size()) + " weights for " + std::to_string(n) +
+                        " points");
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (!(weights[i] >= 0) || std::isinf(weights[i]))

@@ -22,7 +22,9 @@ namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Results
 /// The result of an estimation (section 5.1.2): the point of the fitted surface at which the quantities are estimated,
-/// the orthonormal direct Monge basis (d1, d2, n) there, and the Monge coefficients: the surface is, in this basis,
+/// the orthonormal direct Monge basis (d1, d2, n) there, and the Monge coefficients.
+///
+/// In this basis the surface is
 ///
 ///   z = 1/2 (k1 x^2 + k2 y^2) + 1/6 (b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3) + 1/24 (c0 x^4 + 4 c1 x^3 y + ...) + ...
 ///
@@ -132,8 +134,10 @@ public:
     out << "origin : " << m_origin << '\n' << "n : " << m_n << '\n';
     const std::size_t highest = degree();
     if (highest >= 2)
-      out << "d1 : " << m_d1 << '\n' << "d2 : " << m_d2 << '\n'
-          << "k1 : " << m_coefficients[0] << '\n' << "k2 : " << m_coefficients[1] << '\n';
+      out << "d1 : " << m_d1 << '\n'
+          << "d2 : " << m_d2 << '\n'
+          << "k1 : " << m_coefficients[0] << '\n'
+          << "k2 : " << m_coefficients[1] << '\n';
     for (std::size_t k = 3; k <= highest; ++k) {
       for (std::size_t i = 0; i <= k; ++i) {
         if (k == 3) out << 'b' << i;

@@ -56,9 +56,10 @@ Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::si
     const Point_3& q = *begin;
     const Vector_3<FT> r{difference(q.x(), p.x()), difference(q.y(), p.y()), difference(q.z(), p.z())};
     if (!numeric::is_finite(FT(r.x + r.y + r.z)))
-      throw Invalid_input("sample " + std::to_string(i) + " of " + std::to_string(size) +
-                          (i == 0 ? " has a coordinate that is not finite"
-                                  : " is not at a finite distance from sample 0: a coordinate is not finite or too large"));
+      throw Invalid_input(
+          "sample " + std::to_string(i) + " of " + std::to_string(size) +
+          (i == 0 ? " has a coordinate that is not finite"
+                  : " is not at a finite distance from sample 0: a coordinate is not finite or too large"));
     samples.set(i, r);
   }
   return samples;
@@ -92,8 +93,7 @@ void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typenam
   form.minimal_principal_direction() = vector(e.monge_axes.y);
   form.normal_direction() = vector(e.monge_axes.z);
   form.coefficients().resize(e.coefficients.size());
-  for (std::size_t i = 0; i < e.coefficients.size(); ++i)
-    form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
+  for (std::size_t i = 0; i < e.coefficients.size(); ++i) form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
 }
 
 /// \ingroup PkgJetFitting3Steps
@@ -103,8 +103,8 @@ template <class FT>
 Basis_3<FT> checked_basis(const Vector_3<FT>& x, const Vector_3<FT>& y, const Vector_3<FT>& z)
 {
   const Vector_3<FT> defect = cross(x, y) - z;
-  const FT errors[] = {dot(x, x) - FT(1), dot(y, y) - FT(1), dot(z, z) - FT(1), dot(x, y), dot(y, z), dot(z, x),
-                       dot(defect, defect)};
+  const FT errors[] = {dot(x, x) - FT(1), dot(y, y) - FT(1), dot(z, z) - FT(1),  dot(x, y),
+                       dot(y, z),         dot(z, x),         dot(defect, defect)};
   FT error(0);
   bool is_number = true;
   for (const FT& e : errors) {
@@ -242,7 +242,7 @@ private:
     const std::size_t size = std::size_t(std::distance(begin, end));
     check_degrees(d, dprime);
     check_number_of_samples(size, d);
-    const typename DataKernel::Point_3 p = *begin;
+    const typename DataKernel::Point_3& p = *begin;
     Samples<FT> samples = samples_relative_to<D2L, FT>(p, begin, size);
     set_point_weights(samples, options.point_weights);
     typename Solver_of<SvdTraits>::type solver;

@@ -28,16 +28,16 @@ namespace Jet_fitting {
 template <class FT>
 struct Estimation
 {
-  Fitting_basis<FT> fitting;              ///< step 1, in world coordinates
-  Jet<FT> jet;                            ///< step 2, in the fitting basis
-  Vector_3<FT> origin;                    ///< (0, 0, A_00) of the fitting basis, in world axes, relative to p
-  Basis_3<FT> monge_axes;                 ///< step 3: d1, d2, n, in world coordinates
-  Monge_coefficients<FT> coefficients;    ///< step 4
-  FT residual_rms;                        ///< root of the weighted mean of the squared residuals
+  Fitting_basis<FT> fitting;                    ///< step 1, in world coordinates
+  Jet<FT> jet;                                  ///< step 2, in the fitting basis
+  Vector_3<FT> origin;                          ///< (0, 0, A_00) of the fitting basis, in world axes, relative to p
+  Basis_3<FT> monge_axes;                       ///< step 3: d1, d2, n, in world coordinates
+  Monge_coefficients<FT> coefficients;          ///< step 4
+  FT residual_rms;                              ///< root of the weighted mean of the squared residuals
   numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system, in the unit of the computation
 
-  numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample, near 0 for outliers; otherwise none
-  Standard_errors<FT> standard_errors;          ///< if asked for
+  numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample, near 0 for outliers; otherwise none
+  Standard_errors<FT> standard_errors;     ///< if asked for
 
   /// Numerical rank of the preconditioned system.
   std::size_t rank() const { return solution.rank; }
@@ -67,8 +67,7 @@ Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const FT robust = robust_weights.empty() ? FT(1) : robust_weights[i];
     sums.weights = sums.weights + samples.weight(i) * robust;
-    sums.number_of_samples =
-        sums.number_of_samples + numeric::select(samples.weight(i) > FT(0), robust, FT(0));
+    sums.number_of_samples = sums.number_of_samples + numeric::select(samples.weight(i) > FT(0), robust, FT(0));
   }
   sums.weights = numeric::select(sums.weights > FT(0), sums.weights, FT(1)); // then all residuals count as 0
   return sums;
@@ -83,9 +82,8 @@ Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, 
 {
   const Fitting_basis<FT> fitting = make_fitting_basis(samples);
   const Basis_3<FT>& axes = fitting.axes;
-  Jet_fit<FT> fit = options.loss == Loss::least_squares
-                        ? fit_jet(samples, axes, degree, solver)
-                        : fit_jet_robustly(samples, axes, degree, options.loss, solver);
+  Jet_fit<FT> fit = options.loss == Loss::least_squares ? fit_jet(samples, axes, degree, solver)
+                                                        : fit_jet_robustly(samples, axes, degree, options.loss, solver);
   const Monge_basis<FT> monge = monge_basis(fit.jet, axes);
   Monge_coefficients<FT> coefficients = monge_coefficients(fit.jet, monge, dprime);
 

@@ -52,8 +52,7 @@ struct Exact_first_converter
     else if constexpr (std::is_same<Exact, long double>::value) {
       const double leading = static_cast<double>(x);
       return To(leading) + To(static_cast<double>(x - leading));
-    }
-    else return NT_converter<Exact, To>()(x);
+    } else return NT_converter<Exact, To>()(x);
   }
 };
 

@@ -153,7 +153,7 @@ class Block_fitter
   static constexpr int lanes = numeric::native_lanes<FT>();
   using Pack = numeric::Pack<FT, lanes>;
   static constexpr bool fits_in_packs =
-    lanes > 1 && std::is_same<typename Solver_of<SvdTraits>::type, Orthogonal_solver<FT>>::value;
+      lanes > 1 && std::is_same<typename Solver_of<SvdTraits>::type, Orthogonal_solver<FT>>::value;
 
 public:
   Block_fitter(const Point_table<DataKernel>& points, std::size_t d, std::size_t dprime, const Options& options)
@@ -209,9 +209,7 @@ private:
         fits[row[i]] = fit(points, block.end(row[i]));
         continue;
       }
-      const auto condition_number = [&] {
-        return numeric::condition_number(lane(estimation.solution.r, int(i)));
-      };
+      const auto condition_number = [&] { return numeric::condition_number(lane(estimation.solution.r, int(i))); };
       set(fits[row[i]], lane(estimation, int(i)), block.length(row[i]), condition_number, m_points[*points]);
     }
   }
@@ -242,8 +240,11 @@ private:
 
   static Standard_errors<double> as_doubles(const Standard_errors<FT>& errors)
   {
-    Standard_errors<double> result{errors.is_estimated, double(errors.degrees_of_freedom), 
-                                   double(errors.normal_along_d1), double(errors.normal_along_d2), {}};
+    Standard_errors<double> result{errors.is_estimated,
+                                   double(errors.degrees_of_freedom),
+                                   double(errors.normal_along_d1),
+                                   double(errors.normal_along_d2),
+                                   {}};
     result.coefficients.resize(errors.coefficients.size());
     std::transform(errors.coefficients.begin(), errors.coefficients.end(), result.coefficients.begin(),
                    [](const FT& error) { return double(error); });
@@ -275,12 +276,13 @@ private:
     Fit<DataKernel> result;
     try {
       const auto point = [this](Index i) { return m_points[i]; };
-      const auto estimate = Fitting().estimate(boost::make_transform_iterator(begin, point),
-                                               boost::make_transform_iterator(end, point), d, (std::min)(d, m_dprime),
-                                               options_of(begin, end));
+      const auto estimate =
+          Fitting().estimate(boost::make_transform_iterator(begin, point), boost::make_transform_iterator(end, point),
+                             d, (std::min)(d, m_dprime), options_of(begin, end));
       if (estimate.status() == Fit_status::rank_deficient) result.status = Status_flag::rank_deficient;
       else
-        set(result, estimate.details(), std::size_t(end - begin), [&] { return estimate.condition_number(); },
+        set(
+            result, estimate.details(), std::size_t(end - begin), [&] { return estimate.condition_number(); },
             m_points[*begin]);
     } catch (const Invalid_input&) { // neighbours too far away for a double
       result.status = Status_flag::not_finite;

@@ -22,7 +22,7 @@ template <class T, std::size_t inline_capacity>
 class Buffer
 {
 public:
-  Buffer() {}
+  Buffer() {} // not defaulted: value-initialization would fill the array with zeros
   Buffer(const Buffer& other) { *this = other; }
   Buffer(Buffer&& other) noexcept(noexcept(std::declval<T&>() = std::declval<const T&>())) { *this = std::move(other); }
 

@@ -50,10 +50,7 @@ struct Dual
     const FT root = square_root(a.value);
     return {root, a.tangent / (root + root)};
   }
-  friend Dual abs(const Dual& a)
-  {
-    return {absolute(a.value), select(a.value < FT(0), FT(-a.tangent), a.tangent)};
-  }
+  friend Dual abs(const Dual& a) { return {absolute(a.value), select(a.value < FT(0), FT(-a.tangent), a.tangent)}; }
 };
 
 template <class Mask, class FT>

@@ -50,7 +50,7 @@ constexpr std::size_t padded_to_blocks(std::size_t rows)
 template <class FT>
 class Linear_system
 {
-  static constexpr std::size_t inline_bytes = 128 * 16 * sizeof(double);
+  static constexpr std::size_t inline_bytes = sizeof(double) * 128 * 16;
 
 public:
   void resize(std::size_t rows, std::size_t columns)
@@ -100,11 +100,11 @@ struct Least_squares_solution
   using Mask = decltype(FT(0) < FT(0));
 
   Buffer<FT, 45> y;
-  FT square_sum;             ///< of the residuals Z - M Y
+  FT square_sum;                ///< of the residuals Z - M Y
   Mask trusted = FT(0) < FT(1); ///< false in lanes where M may be rank deficient: another method has to decide
-  std::size_t rank = 0;      ///< numerical rank of M
-  FT condition_number = FT(0); ///< of M; 0 if it has not been computed: then R has that of M
-  Upper_triangle<FT> r;      ///< of M = QR; of size 0 if the condition number has been computed
+  std::size_t rank = 0;         ///< numerical rank of M
+  FT condition_number = FT(0);  ///< of M; 0 if it has not been computed: then R has that of M
+  Upper_triangle<FT> r;         ///< of M = QR; of size 0 if the condition number has been computed
 };
 
 } // namespace numeric

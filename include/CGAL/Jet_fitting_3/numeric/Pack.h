@@ -101,14 +101,38 @@ public:
   friend auto operator>(Pack a, Pack b) { return Pack_mask<T, lanes>(a.m > b.m); }
   friend auto operator==(Pack a, Pack b) { return Pack_mask<T, lanes>(a.m == b.m); }
 #else
-  friend Pack operator+(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s + t; }); }
-  friend Pack operator-(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s - t; }); }
-  friend Pack operator*(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s * t; }); }
-  friend Pack operator/(Pack a, const Pack& b) { return a.apply(b, [](T s, T t) { return s / t; }); }
-  friend Pack operator-(Pack a) { return Pack(T(0)).apply(a, [](T s, T t) { return s - t; }); }
-  friend auto operator<(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s < t; }); }
-  friend auto operator>(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s > t; }); }
-  friend auto operator==(const Pack& a, const Pack& b) { return a.compare(b, [](T s, T t) { return s == t; }); }
+  friend Pack operator+(Pack a, const Pack& b)
+  {
+    return a.apply(b, [](T s, T t) { return s + t; });
+  }
+  friend Pack operator-(Pack a, const Pack& b)
+  {
+    return a.apply(b, [](T s, T t) { return s - t; });
+  }
+  friend Pack operator*(Pack a, const Pack& b)
+  {
+    return a.apply(b, [](T s, T t) { return s * t; });
+  }
+  friend Pack operator/(Pack a, const Pack& b)
+  {
+    return a.apply(b, [](T s, T t) { return s / t; });
+  }
+  friend Pack operator-(Pack a)
+  {
+    return Pack(T(0)).apply(a, [](T s, T t) { return s - t; });
+  }
+  friend auto operator<(const Pack& a, const Pack& b)
+  {
+    return a.compare(b, [](T s, T t) { return s < t; });
+  }
+  friend auto operator>(const Pack& a, const Pack& b)
+  {
+    return a.compare(b, [](T s, T t) { return s > t; });
+  }
+  friend auto operator==(const Pack& a, const Pack& b)
+  {
+    return a.compare(b, [](T s, T t) { return s == t; });
+  }
 #endif
 
 private:

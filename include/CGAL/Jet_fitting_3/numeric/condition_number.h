@@ -77,7 +77,7 @@ FT extreme_eigenvalue(const Bidiagonal_squares<FT>& b, bool smallest)
       const FT pivot = b.diagonal[i] + s;
       beyond = beyond || (smallest ? !(pivot > FT(0)) : !(pivot < FT(0)));
       const FT inverse = FT(1) / pivot, ratio = s1 * inverse;
-      sum = sum - ratio;                                  // sum of 1 / (lambda_i - lambda) = -p'/p
+      sum = sum - ratio;                                      // sum of 1 / (lambda_i - lambda) = -p'/p
       square_sum = square_sum + ratio * ratio - s2 * inverse; // sum of their squares
       const FT upper = b.upper[i] * inverse, weight = upper * b.diagonal[i] * inverse;
       s2 = weight * (s2 - FT(2) * s1 * ratio);

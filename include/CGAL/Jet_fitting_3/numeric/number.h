@@ -108,8 +108,7 @@ FT leading_half(const FT& v)
     constexpr int digits = std::numeric_limits<Number>::digits, kept = (digits - 1) / 2;
     constexpr Number shift = Number(1.5) * Number(1ull << (digits - 1 - kept));
     return FT(v + FT(shift)) - FT(shift);
-  }
-  else return v;
+  } else return v;
 }
 
 /// base * factor^times. Multiplied step by step: it overflows, or loses digits to underflow, only if the result does.

@@ -119,7 +119,8 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
     for (std::size_t i = 0; i < k; ++i) solution.y[i] = solution.y[i] - solution.r(i, k) * solution.y[k];
   }
   solution.square_sum = square; // of what is left of Z, the residual
-  solution.trusted = smallest > FT(doubt * doubt) * largest; // false for NaN
+  // comparisons pass over a NaN on the way, but it has reached the residual
+  solution.trusted = (smallest > FT(doubt * doubt) * largest) & is_finite(square);
   return solution;
 }
 

@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_NUMERIC_SYMMETRIC_EIGEN_H
 
 #include <CGAL/Jet_fitting_3/numeric/number.h>
-#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <array>
 
@@ -83,8 +83,8 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
 {
   const FT trace = a.xx + a.yy + a.zz;
   const FT minors = (a.xx * a.yy - a.xy * a.xy) + (a.xx * a.zz - a.xz * a.xz) + (a.yy * a.zz - a.yz * a.yz);
-  const FT determinant = a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) +
-                         a.xz * (a.xy * a.yz - a.yy * a.xz);
+  const FT determinant =
+      a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) + a.xz * (a.xy * a.yz - a.yy * a.xz);
   FT lambda(0);
   for (int step = 0; step < 3; ++step)
     lambda = lambda + (determinant - lambda * (minors - lambda * (trace - lambda))) /

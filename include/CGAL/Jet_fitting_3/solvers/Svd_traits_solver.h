@@ -27,10 +27,10 @@ struct Is_svd_traits<
                    decltype(std::declval<typename T::Matrix&>().set(std::size_t(), std::size_t(), typename T::FT())),
                    decltype(std::declval<typename T::Vector&>().set(std::size_t(), typename T::FT())),
                    decltype(typename T::FT(std::declval<const typename T::Vector&>()(std::size_t()))),
-                   decltype(typename T::FT(T::solve(std::declval<const typename T::Matrix&>(),
-                                                    std::declval<typename T::Vector&>())))>>
-    : std::bool_constant<std::is_constructible<typename T::Matrix, std::size_t, std::size_t>::value &&
-                         std::is_constructible<typename T::Vector, std::size_t>::value>
+                   decltype(typename T::FT(
+                       T::solve(std::declval<const typename T::Matrix&>(), std::declval<typename T::Vector&>())))>>
+  : std::bool_constant<std::is_constructible<typename T::Matrix, std::size_t, std::size_t>::value &&
+                       std::is_constructible<typename T::Vector, std::size_t>::value>
 {};
 
 /// \ingroup PkgJetFitting3Solvers
@@ -70,8 +70,8 @@ public:
 
     // what the traits do not tell: the factor R, or the rank
     const bool is_full = condition_number * FT(numeric::epsilon<FT>()) * FT(double(rows)) < FT(1);
-    auto solution = is_full ? numeric::solve_by_orthogonalization(m_system, FT(0))
-                            : numeric::solve_by_singular_values(m_system);
+    auto solution =
+        is_full ? numeric::solve_by_orthogonalization(m_system, FT(0)) : numeric::solve_by_singular_values(m_system);
     solution.y = std::move(y);
     solution.square_sum = square_sum;
     solution.condition_number = condition_number;

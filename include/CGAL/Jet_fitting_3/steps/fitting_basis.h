@@ -62,8 +62,8 @@ Moments<FT> moments(const Samples<FT>& samples)
          s.yy + wr.y * r.y, s.yz + wr.y * r.z, s.zz + wr.z * r.z};
   }
   return {centroid,
-          {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total,
-           s.yy * inverse_total, s.yz * inverse_total, s.zz * inverse_total}};
+          {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total, s.yy * inverse_total, s.yz * inverse_total,
+           s.zz * inverse_total}};
 }
 
 /// \ingroup PkgJetFitting3Steps

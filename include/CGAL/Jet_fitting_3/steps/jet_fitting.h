@@ -44,8 +44,7 @@ FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<F
 {
   FT sum(0);
   if (samples.is_weighted())
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      sum = sum + samples.weight(i) * coordinates[i] * coordinates[i];
+    for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * coordinates[i] * coordinates[i];
   else sum = numeric::square_norm(coordinates.data(), coordinates.size());
   return numeric::square_root(FT(sum / samples.total_weight()));
 }
@@ -104,8 +103,7 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   }
   if (samples.is_weighted()) {
     h.root_weight.resize(padded);
-    for (std::size_t i = 0; i < padded; ++i)
-      h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
+    for (std::size_t i = 0; i < padded; ++i) h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
   }
 
   const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
@@ -196,7 +194,7 @@ struct Jet_fit
   /// The extents of the preconditioning.
   FT hu, hv;
   /// @}
-  numeric::Buffer<FT, 128> robust_weights;      ///< of a robust loss, one a sample; otherwise none
+  numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample; otherwise none
 };
 
 template <class FT, class Solver>
@@ -205,7 +203,9 @@ Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
   Jet_fit<FT> fit{Jet<FT>(),
                   solve(h.size, number_of_jet_coefficients(degree),
                         [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); }),
-                  h.hu, h.hv, {}};
+                  h.hu,
+                  h.hv,
+                  {}};
   fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
   return fit;
 }

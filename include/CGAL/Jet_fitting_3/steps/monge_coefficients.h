@@ -36,10 +36,7 @@ public:
   /// @{
   /// The coefficients of x^k, x^(k-1) y, ..., y^k.
   FT* order(std::size_t k) { return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2; }
-  const FT* order(std::size_t k) const
-  {
-    return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2;
-  }
+  const FT* order(std::size_t k) const { return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2; }
   /// @}
 
 private:

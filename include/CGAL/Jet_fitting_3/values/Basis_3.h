@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_VALUES_BASIS_3_H
 
 #include <CGAL/Jet_fitting_3/numeric/number.h>
-#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 namespace CGAL {
 namespace Jet_fitting {

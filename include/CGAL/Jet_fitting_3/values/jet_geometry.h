@@ -12,7 +12,7 @@
 #include <CGAL/Jet_fitting_3/numeric/polynomial_roots.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
-#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <cstddef>
 #include <limits>

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
-#define CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
+#ifndef CGAL_JET_FITTING_3_NUMERIC_VECTOR_3_H
+#define CGAL_JET_FITTING_3_NUMERIC_VECTOR_3_H
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -39,4 +39,4 @@ struct Vector_3
 } // namespace Jet_fitting
 } // namespace CGAL
 
-#endif // CGAL_JET_FITTING_3_VALUES_VECTOR_3_H
+#endif // CGAL_JET_FITTING_3_NUMERIC_VECTOR_3_H
