@@ -21,6 +21,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/range/irange.hpp>
+
 #include <cstddef>
 #include <map>
 #include <type_traits>
@@ -113,9 +115,8 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
     const Search search(setting.points(), setting.normals());
     run([&] { return [&](Index seed, std::vector<Index>& row) { neighborhood(search, seed, row); }; });
   }
-  summary.set_reports(
-      std::move(statuses), std::move(qualities), [](std::size_t i) { return i; },
-      [](const std::size_t& i) { return i; });
+  summary.set_reports(std::move(statuses), std::move(qualities), boost::irange(std::size_t(0), setting.size()),
+                      [](const std::size_t& i) { return i; });
   return summary;
 }
 

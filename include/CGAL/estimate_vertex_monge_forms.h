@@ -80,8 +80,11 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   using Parameters = Fitting_parameters<Kernel, NamedParameters>;
   using Fits = std::vector<Fit<Kernel>>;
 
+  constexpr bool is_own = Is_own_neighborhood<Neighborhood, vertex_descriptor>::value;
   const Parameters given(np);
-  const Setting setting(mesh, np);
+  // Weights are given in the order of the mesh.
+  const bool keeps_order = is_own || !options.point_weights.empty();
+  const Setting setting(mesh, np, keeps_order ? Vertex_order::of_mesh : Vertex_order::spatial_if_scattered);
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
   const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { setting.normals().orient(form, i); };
 
@@ -100,7 +103,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     summary.cancelled =
         !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
   };
-  if constexpr (Is_own_neighborhood<Neighborhood, vertex_descriptor>::value) {
+  if constexpr (is_own) {
     run([&] { return Own_gatherer<Setting, vertex_descriptor, Neighborhood>(setting, neighborhood); });
   } else {
     static_assert(std::is_invocable<const Neighborhood&, Mesh_growth<Kernel>&, Index, std::vector<Index>&>::value,
@@ -112,9 +115,8 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
                  Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
     });
   }
-  summary.set_reports(
-      std::move(statuses), std::move(qualities), [&](std::size_t i) { return setting.item(static_cast<Index>(i)); },
-      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
+  summary.set_reports(std::move(statuses), std::move(qualities), make_range(vertices(mesh)),
+                      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
   return summary;
 }
 

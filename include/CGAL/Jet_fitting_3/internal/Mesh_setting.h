@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/Sharp_edges.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+#include <CGAL/Jet_fitting_3/internal/spatial_order.h>
 #include <CGAL/Jet_fitting_3/internal/vertex_normals.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,6 +30,14 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
+/// How vertices are numbered. Where neighbours are far apart in the order of a large mesh, renumbering them saves more
+/// time than it takes.
+enum class Vertex_order
+{
+  of_mesh,
+  spatial_if_scattered
+};
+
 /// What the estimation at all vertices of a mesh needs of it, copied into compact tables once for each call.
 template <class Mesh, class NamedParameters>
 class Mesh_setting
@@ -42,7 +51,7 @@ public:
   using Kernel = typename GetGeomTraits<Mesh, NamedParameters>::type;
   using Numbering = Vertex_numbering<Mesh, Ids>;
 
-  Mesh_setting(const Mesh& mesh, const NamedParameters& np)
+  Mesh_setting(const Mesh& mesh, const NamedParameters& np, Vertex_order order = Vertex_order::of_mesh)
     : m_mesh(mesh), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np)))
   {
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
@@ -50,6 +59,11 @@ public:
     m_points.reserve(size());
     for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
     m_points.measure();
+    if (order == Vertex_order::spatial_if_scattered && is_scattered()) {
+      const std::vector<Index> permutation = spatial_order(m_points);
+      m_number->reorder(permutation);
+      m_points.reorder(permutation);
+    }
     m_normals = read_normals(np);
   }
 
@@ -85,6 +99,20 @@ public:
   const Normal_table& normals() const { return m_normals; }
 
 private:
+  /// Whether most of the first edges of a large mesh join vertices that are far apart in its order.
+  bool is_scattered() const
+  {
+    const std::size_t least_size = 50000, sample_size = 2000;
+    if (size() < least_size) return false;
+    std::size_t edges_seen = 0, far = 0;
+    for (auto e : make_range(edges(m_mesh))) {
+      const Index i = index(source(e, m_mesh)), j = index(target(e, m_mesh));
+      far += (i < j ? j - i : i - j) > size() / 16;
+      if (++edges_seen == sample_size) break;
+    }
+    return 2 * far > edges_seen;
+  }
+
   bool is_finite(const std::vector<Index>& owners, Index node) const
   {
     return m_points.is_finite(node < size() ? node : owners[node - size()]);
@@ -105,7 +133,7 @@ private:
   }
 
   const Mesh& m_mesh;
-  std::shared_ptr<const Numbering> m_number;
+  std::shared_ptr<Numbering> m_number;
   Point_table<Kernel> m_points;
   Normal_table m_normals;
 };

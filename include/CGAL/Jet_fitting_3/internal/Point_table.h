@@ -12,7 +12,7 @@
 #include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
-#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -35,6 +35,7 @@ class Packed_points
 public:
   void reserve(std::size_t size) { m_points.reserve(size); }
   std::size_t size() const { return m_points.size(); }
+  void reorder(const std::vector<Index>& order) { m_points = reordered(m_points, order); }
   void push_back(const Point_3& p) { m_points.push_back({p.x(), p.y(), p.z()}); }
   Point_3 operator[](Index i) const { return Point_3(m_points[i].x, m_points[i].y, m_points[i].z); }
 
@@ -76,6 +77,7 @@ class Packed_points<Kernel, false>
 public:
   void reserve(std::size_t size) { m_points.reserve(size); }
   std::size_t size() const { return m_points.size(); }
+  void reorder(const std::vector<Index>& order) { m_points = reordered(m_points, order); }
   void push_back(const Point_3& p) { m_points.push_back(p); }
   const Point_3& operator[](Index i) const { return m_points[i]; }
 

@@ -35,6 +35,15 @@ constexpr Index no_index = 0xffffffff;
 /// Leaves numbers for copies of vertices on sharp edges (Compact_mesh.h).
 constexpr std::size_t most_vertices = std::size_t(1) << 30;
 
+template <class T>
+std::vector<T> reordered(const std::vector<T>& values, const std::vector<Index>& order)
+{
+  std::vector<T> result;
+  result.reserve(values.size());
+  for (const Index i : order) result.push_back(values[i]);
+  return result;
+}
+
 struct No_ids
 {};
 
@@ -48,7 +57,7 @@ auto vertex_ids(const Mesh& mesh, const NamedParameters& np)
   else return No_ids();
 }
 
-/// Numbers the vertices of a mesh 0, 1, 2, ... without gaps, in the order of vertices(mesh).
+/// Numbers the vertices of a mesh 0, 1, 2, ... without gaps, in the order of vertices(mesh) unless reordered.
 /// Ids that come with the mesh are used where they are distinct and not much larger than the number of vertices: gaps
 /// of removed vertices are fine. Otherwise (no ids, never initialised, used for something else) a hash table is.
 template <class Mesh, class Ids>
@@ -80,6 +89,19 @@ public:
       return id < m_number_of.size() ? m_number_of[id] : no_index;
     }
     return no_index;
+  }
+
+  /// Gives number i to the vertex that has number order[i] now; order is a permutation.
+  void reorder(const std::vector<Index>& order)
+  {
+    std::vector<Index> new_number(size());
+    for (std::size_t i = 0; i < size(); ++i) new_number[order[i]] = static_cast<Index>(i);
+    for (std::vector<Index>* numbers : {&m_slots, &m_number_of})
+      for (Index& number : *numbers)
+        if (number != no_index) number = new_number[number];
+    if (m_is_identity) m_number_of.swap(new_number);
+    m_is_identity = false;
+    m_vertices = reordered(m_vertices, order);
   }
 
 private:
