@@ -17,12 +17,14 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Options
 /// How many standard errors a confidence interval reaches to each side: the quantile (1 + level) / 2 of Student's t
 /// distribution. With `f = errors.degrees_of_freedom` the interval of k1 is
 /// `k1 +- confidence_factor(0.95, f) * errors.coefficients[0]`. It says what Standard_errors says, and no more.
 ///
 /// In a header of its own, which no other includes, because of its size: it needs Boost.Math.
 /// \param level the probability that the interval is to have, 0 < level < 1
+/// \param degrees_of_freedom Standard_errors::degrees_of_freedom
 /// \return a number > 0, +infinity if no degree of freedom is left; 12.7, 2.23, 1.96 at level 0.95 for 1, 10, infinitely
 ///         many degrees of freedom
 /// \throw Invalid_input if the level is not between 0 and 1

@@ -51,6 +51,7 @@ struct Estimation
   }
 };
 
+/// \ingroup PkgJetFitting3Steps
 /// Sums over the samples, of their weights times the robust ones if there are any.
 template <class FT>
 struct Weight_sums
@@ -59,6 +60,8 @@ struct Weight_sums
   FT number_of_samples; ///< samples of weight 0 do not count
 };
 
+/// \ingroup PkgJetFitting3Steps
+/// The sums; no robust weights means ones.
 template <class FT>
 Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT, 128>& robust_weights)
 {
@@ -105,6 +108,7 @@ Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, 
           std::move(errors)};
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// Coefficients, or their errors, where lengths are measured in a unit smaller by the inverse of a power of two.
 template <class FT>
 void rescale(Monge_coefficients<FT>& coefficients, const FT& inverse)
@@ -114,6 +118,7 @@ void rescale(Monge_coefficients<FT>& coefficients, const FT& inverse)
       coefficients[i] = numeric::multiplied(coefficients[i], inverse, k - 1);
 }
 
+/// \ingroup PkgJetFitting3Steps
 /// The same estimation where lengths are measured in a unit `factor` times smaller. For a power of two, exact.
 template <class FT>
 Estimation<FT> in_smaller_unit(Estimation<FT> e, const FT& factor)

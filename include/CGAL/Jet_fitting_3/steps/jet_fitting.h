@@ -39,6 +39,8 @@ struct Heights
   /// @}
 };
 
+/// \ingroup PkgJetFitting3Steps
+/// Weighted, of one coordinate of the samples.
 template <class FT>
 FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<FT>& samples)
 {
@@ -197,6 +199,8 @@ struct Jet_fit
   numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample; otherwise none
 };
 
+/// \ingroup PkgJetFitting3Steps
+/// Step 2 after the change of coordinates.
 template <class FT, class Solver>
 Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
 {
