@@ -61,6 +61,9 @@ namespace CGAL {
 /// \return how many were estimated, which were not, and why. Nothing is thrown for one bad point: its form is empty.
 ///         Points with a coordinate that is not finite are skipped and left out of all neighbourhoods
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
+///
+/// For n points with N neighbours each the fits take the time O(n N N_d^2), N_d = (d+1)(d+2)/2, the search about
+/// O(n (N + log n)). The range is only read, and may be used by other threads meanwhile.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Neighborhood, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
 Jet_fitting::Estimation_summary<std::size_t>

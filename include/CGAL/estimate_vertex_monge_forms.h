@@ -65,7 +65,7 @@ namespace CGAL {
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
 ///
 /// The time is O(n N N_d^2) for n vertices with N neighbours each and N_d = (d+1)(d+2)/2. Besides the output about
-/// 60 bytes per vertex are needed.
+/// 60 bytes per vertex are needed. The mesh is only read, and may be used by other threads meanwhile.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighborhood, class VertexFormMap,
           class NamedParameters = parameters::Default_named_parameters>
 Jet_fitting::Estimation_summary<typename boost::graph_traits<FaceGraph>::vertex_descriptor>

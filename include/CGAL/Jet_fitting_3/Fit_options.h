@@ -43,7 +43,8 @@ struct Fit_options
   /// The weight of a sample by its distance from p.
   Weighting weighting = Weighting::unit;
 
-  /// If set, the weight as a function of t instead of `weighting`.
+  /// If set, the weight as a function of t instead of `weighting`: finite and not negative. With Parallel_tag it is called
+  /// by several threads at a time; what it throws reaches the caller.
   std::function<double(double)> weight_of_distance;
 
   /// If not empty, a further factor for each point, in the order of the range, of the points, or of vertices(mesh):
@@ -53,7 +54,8 @@ struct Fit_options
   /// A robust loss needs about 5 N_d samples to tell outliers from the surface.
   Loss loss = Loss::least_squares;
 
-  /// Estimate the standard errors of the normal and of every Monge coefficient.
+  /// Estimate the standard errors of the normal and of every Monge coefficient: steps 3 and 4 are run once more for each
+  /// of the N_d coefficients of the jet.
   bool standard_errors = false;
 
   /// Whether weights depend on the distance.
