@@ -27,7 +27,7 @@ fail() {
 needs() {
   case $1 in
     CGAL/Lapack*) echo lapacke.h ;;
-    CGAL/*/internal/*|CGAL/*/neighborhoods/*|CGAL/*/ridges.h) echo CGAL/config.h ;;
+    CGAL/*/internal/*|CGAL/*/neighborhoods/*|CGAL/*/ridges.h|CGAL/*/extract_*.h) echo CGAL/config.h ;;
     CGAL/Jet_fitting_3/*) ;;
     *) echo CGAL/config.h ;;
   esac
