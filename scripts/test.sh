@@ -4,11 +4,11 @@
 . "$(dirname "$0")/lib.sh"
 
 install_missing g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libboost-dev libboost-program-options-dev \
-  libgmp-dev libmpfr-dev liblapacke-dev libtbb-dev libopenmesh-dev clang-format-14
+  libgmp-dev libmpfr-dev liblapacke-dev libtbb-dev libopenmesh-dev clang-14 clang-format-14
 find_demo_archives
 
 say "configuring $build/test"
-cmake --preset test -B "$build/test" -DCGAL_DEMO_ARCHIVES_DIR="$demo_archives"
+cmake --preset test -B "$build/test" -DCGAL_DEMO_ARCHIVES_DIR="$demo_archives" -DJET_FITTING_3_TEST_MATRIX="$build"
 say "building with $jobs compilers at a time"
 # What does not compile is a test that is not run, and counts as failed there.
 cmake --build "$build/test" -j "$jobs" -- -k || say "some programs do not compile"

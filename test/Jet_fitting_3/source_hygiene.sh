@@ -87,6 +87,10 @@ done | awk '
     }
   }' | findings "the direction of includes"
 
+for file in $(find test examples benchmark -maxdepth 2 -name '*.cpp'); do
+  grep -qw "$(basename "$file" .cpp)" "$(dirname "$file")/CMakeLists.txt" || echo "$file"
+done | findings "each program is named in the CMakeLists.txt of its folder"
+
 for file in copyright dependencies description.txt license.txt long_description.txt maintainer; do
   [ -s "package_info/Jet_fitting_3/$file" ] || echo "package_info/Jet_fitting_3/$file"
 done | findings "package_info is complete"
