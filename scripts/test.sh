@@ -4,7 +4,7 @@
 . "$(dirname "$0")/lib.sh"
 
 install_missing g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libboost-dev libboost-program-options-dev \
-  libgmp-dev libmpfr-dev liblapacke-dev libtbb-dev libopenmesh-dev clang-14 clang-format-14
+  libgmp-dev libmpfr-dev liblapacke-dev libtbb-dev libopenmesh-dev clang clang-format-14 doxygen
 find_demo_archives
 
 say "configuring $build/test"
