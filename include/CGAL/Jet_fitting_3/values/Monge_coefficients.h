@@ -29,7 +29,7 @@ constexpr std::size_t monge_offset(std::size_t order) { return number_of_monge_c
 /// k1, k2, b0, b1, b2, b3, c0, ..., c4, then the 5th, 6th, ... order: the derivatives g_ij of the Monge form
 /// (equations 2 and 3), in length^(1-i-j).
 template <class FT>
-using Monge_coefficients = numeric::Buffer<FT, 41>;
+using Monge_coefficients = numeric::Buffer<FT, 11>;
 
 } // namespace Jet_fitting
 } // namespace CGAL
