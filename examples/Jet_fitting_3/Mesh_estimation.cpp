@@ -32,7 +32,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <set>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -112,19 +112,31 @@ void write_results(Output_files& files, const Results& r, const Arguments& a)
   if (a.verbose) files.add(old_name + ".verb.txt", [&](std::ostream& out) { write_verbose(out, r.mesh, r.estimates); });
 }
 
-// As many of the directions as can be told apart in a picture: one in each cell of a grid.
+// As many of the directions as can be told apart in a picture: no two of them closer than a cell of a grid.
 std::vector<Line> directions_in_picture(const Mesh& mesh, const Estimates& estimates, const Arguments& a)
 {
   const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
-  const double cell = std::hypot(box.x_span(), box.y_span(), box.z_span()) / 75;
-  std::set<std::array<long, 3>> taken;
+  const double cell = std::hypot(box.x_span(), box.y_span(), box.z_span()) / 70;
+  std::map<std::array<long, 3>, std::vector<Point>> taken;
+  const auto is_free = [&](const Point& p, const std::array<long, 3>& c) {
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k) {
+          const auto near = taken.find({c[0] + i, c[1] + j, c[2] + k});
+          if (near == taken.end()) continue;
+          for (const Point& q : near->second)
+            if (CGAL::squared_distance(p, q) < cell * cell) return false;
+        }
+    return true;
+  };
   std::vector<Line> lines;
   for (Line& line : directions(mesh, estimates, a.minimal_directions)) {
     const Point middle = CGAL::midpoint(line.points[0], line.points[1]);
-    const Vector d = line.points[1] - line.points[0];
-    const auto number = [cell](double x) { return std::lround(x / cell); };
-    if (!taken.insert({number(middle.x()), number(middle.y()), number(middle.z())}).second) continue;
-    const Vector half = d * (0.45 * cell / std::sqrt(d.squared_length()));
+    const std::array<long, 3> c = {std::lround(middle.x() / cell), std::lround(middle.y() / cell),
+                                   std::lround(middle.z() / cell)};
+    if (!is_free(middle, c)) continue;
+    taken[c].push_back(middle);
+    const Vector d = line.points[1] - line.points[0], half = d * (0.45 * cell / std::sqrt(d.squared_length()));
     line.points = {middle - half, middle + half};
     lines.push_back(std::move(line));
   }
@@ -142,7 +154,7 @@ void add_picture(Output_files& files, const Results& r, const Arguments& a)
                         a.color == "none" ? nullptr : &r.scale,
                         has_ridges ? r.ridges.lines : segments,
                         has_ridges ? ridge_styles() : direction_styles(),
-                        a.drawn == Drawn::ridges_and_umbilics ? r.ridges.umbilics : std::vector<Umbilic>()};
+                        a.drawn == Drawn::ridges_and_umbilics ? r.ridges.umbilics : decltype(r.ridges.umbilics)()};
   const auto write_scene = [&](std::ostream& out) { write_picture(out, picture, a); };
   if (extension(a.picture) == "pov") {
     files.add(a.picture, write_scene);
@@ -152,16 +164,6 @@ void add_picture(Output_files& files, const Results& r, const Arguments& a)
   scratch.add(a.picture + ".pov", write_scene);
   files.add_made(a.picture,
                  [&](const std::string& png) { return run_povray(scratch.temporary(), png, a.width, a.height); });
-}
-
-Ridges_and_umbilics ridges_of(const Mesh& mesh, const Arguments& a)
-{
-  if (!CGAL::is_triangle_mesh(mesh)) throw Input_error(a.input, "ridges are defined on triangle meshes only");
-  const Thread_limit limit(a.threads);
-  const CGAL::Jet_fitting::Ridge_property_maps<Mesh, CGAL::Parallel_if_available_tag> maps(
-      mesh, mesh_neighborhood(a), CGAL::parameters::degree_fitting(a.degree_jet).degree_monge(a.degree_monge),
-      a.options);
-  return find_ridges(mesh, maps, a);
 }
 
 void run(const Arguments& a)
@@ -179,6 +181,8 @@ void run(const Arguments& a)
 
   r.mesh = read_input(a.input);
   table.add_surface(a.input, r.mesh);
+  if (a.finds_ridges && (is_point_set(r.mesh) || !CGAL::is_triangle_mesh(r.mesh)))
+    throw Input_error(a.input, "ridges are found on triangle meshes only");
   const double reading = timer.time();
   timer.reset();
   r.estimates = estimate(r.mesh, a);
@@ -191,8 +195,8 @@ void run(const Arguments& a)
   r.quantities = quantities(r.estimates, a.degree_monge);
   for (const auto status : r.estimates.statuses) r.statuses.push_back(status.to_integer());
   set_colors(r, a);
-  if (a.ridges != Ridges::none) {
-    r.ridges = ridges_of(r.mesh, a);
+  if (a.finds_ridges) {
+    r.ridges = find_ridges(r.mesh, r.estimates, a);
     finish_phase("ridges");
   }
   Output_files files;
@@ -204,7 +208,7 @@ void run(const Arguments& a)
     finish_phase("picture");
   }
   table.add_quantiles(r.quantities, r.estimates.size());
-  if (a.ridges != Ridges::none) table.add_ridges(r.ridges);
+  if (a.finds_ridges) table.add_ridges(r.ridges);
   stop_if_interrupted();
   table.add_files(files.commit());
   if (!a.quiet) std::cout << text.str();

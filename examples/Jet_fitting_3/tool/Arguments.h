@@ -8,6 +8,7 @@
 #define CGAL_EXAMPLES_JET_FITTING_3_TOOL_ARGUMENTS_H
 
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/extract_ridges.h>
 
 #include <array>
 #include <optional>
@@ -16,14 +17,6 @@
 
 namespace tool {
 
-enum class Ridges
-{
-  none,
-  max,
-  min,
-  crest,
-  all
-};
 enum class Drawn
 {
   nothing,
@@ -47,9 +40,9 @@ struct Arguments
   std::vector<std::string> outputs, ridge_outputs, direction_outputs;
   bool minimal_directions = false;
 
-  Ridges ridges = Ridges::none;
-  int ridge_order = 4;
-  double least_strength = 0, least_sharpness = 0, umbilic_size = 2;
+  bool finds_ridges = false;
+  CGAL::Jet_fitting::Ridge_options ridge_options;
+  double umbilic_size = 2; // in mean edge lengths
 
   std::string color = "H";
   double percentile = 2;

@@ -33,19 +33,23 @@ struct Line_style
 // Colors of figures 4 and 5 of the paper.
 inline const std::vector<Line_style>& ridge_styles()
 {
-  static const std::vector<Line_style> styles = {{CGAL::MAX_ELLIPTIC_RIDGE, "max of k1", {{20, 60, 220}}},
-                                                 {CGAL::MAX_HYPERBOLIC_RIDGE, "min of k1", {{20, 150, 60}}},
-                                                 {CGAL::MIN_ELLIPTIC_RIDGE, "min of k2", {{215, 25, 25}}},
-                                                 {CGAL::MIN_HYPERBOLIC_RIDGE, "max of k2", {{240, 180, 0}}},
-                                                 {CGAL::MAX_CREST_RIDGE, "crest of k1", {{20, 60, 220}}},
-                                                 {CGAL::MIN_CREST_RIDGE, "crest of k2", {{215, 25, 25}}}};
+  using Type = CGAL::Jet_fitting::Ridge_type;
+  const auto style = [](Type type, const char* name, const Color& color) {
+    return Line_style{static_cast<int>(type), name, color};
+  };
+  const Color blue = {{20, 60, 220}}, green = {{20, 150, 60}}, red = {{215, 25, 25}}, yellow = {{240, 180, 0}};
+  static const std::vector<Line_style> styles = {style(Type::max_elliptic, "max of k1", blue),
+                                                 style(Type::max_hyperbolic, "min of k1", green),
+                                                 style(Type::min_elliptic, "min of k2", red),
+                                                 style(Type::min_hyperbolic, "max of k2", yellow),
+                                                 style(Type::max_crest, "crest of k1", blue),
+                                                 style(Type::min_crest, "crest of k2", red)};
   return styles;
 }
 
 inline const std::vector<Line_style>& direction_styles()
 {
-  static const std::vector<Line_style> styles = {{0, "direction of k1", {{190, 20, 30}}},
-                                                 {1, "direction of k2", {{20, 60, 190}}}};
+  static const std::vector<Line_style> styles = {{0, "d1", {{190, 20, 30}}}, {1, "d2", {{20, 60, 190}}}};
   return styles;
 }
 
@@ -82,7 +86,7 @@ struct Picture
   const Color_scale* scale; // none: no legend
   const std::vector<Line>& lines;
   const std::vector<Line_style>& styles;
-  const std::vector<Umbilic>& umbilics;
+  const std::vector<CGAL::Jet_fitting::Umbilic_point<Kernel>>& umbilics;
 };
 
 // A column at the right: the colors with their values, and the kinds of lines.
@@ -131,7 +135,7 @@ inline void write_picture(std::ostream& out, const Picture& p, const Arguments& 
   else scene.add_mesh(p.mesh, shading_normals(p.mesh, p.forms), p.colors);
   const double radius = a.draws_ridges() ? 0.0045 : 0.0022;
   for (const Line_style& style : p.styles) scene.add_lines(p.lines, style.type, radius, style.color);
-  for (const Umbilic& umbilic : p.umbilics) scene.add_ball(umbilic.point, 0.014, {{20, 20, 20}});
+  for (const auto& umbilic : p.umbilics) scene.add_ball(umbilic.point, 0.014, {{20, 20, 20}});
   if (has_legend) add_legend(scene, p, a.color, width / 2);
 }
 

@@ -84,9 +84,13 @@ public:
       }
       if (count > 0) print("%-14s %7zu %12.5g\n", style.name, count, sum);
     }
-    const auto elliptic = std::count_if(found.umbilics.begin(), found.umbilics.end(),
-                                        [](const Umbilic& umbilic) { return umbilic.is_elliptic; });
-    m_out << found.umbilics.size() << " umbilics, " << elliptic << " of them elliptic\n";
+    const auto count = [&found](CGAL::Jet_fitting::Umbilic_type type) {
+      return std::count_if(found.umbilics.begin(), found.umbilics.end(),
+                           [type](const auto& umbilic) { return umbilic.type == type; });
+    };
+    using CGAL::Jet_fitting::Umbilic_type;
+    m_out << found.umbilics.size() << " umbilics: " << count(Umbilic_type::lemon) << " lemons, "
+          << count(Umbilic_type::monstar) << " monstars, " << count(Umbilic_type::star) << " stars\n";
   }
 
   void add_files(const std::vector<std::string>& names)

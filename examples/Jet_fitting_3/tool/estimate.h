@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -79,6 +80,7 @@ struct Estimates
   std::vector<float> numbers_of_points, condition_numbers, residuals;
   std::vector<std::vector<float>> standard_errors; // one for each coefficient, if asked for
   bool has_quality = false, cancelled = false;
+  std::optional<CGAL::Jet_fitting::Estimation_summary<Vertex>> mesh_summary;
 
   Estimates() = default;
   explicit Estimates(std::size_t size) : forms(size) {}
@@ -148,13 +150,14 @@ inline Estimates estimate_mesh(const Mesh& mesh, const Arguments& a, const Progr
 
   Estimates estimates(mesh.number_of_vertices());
   const auto form_map = boost::make_iterator_property_map(estimates.forms.begin(), get(boost::vertex_index, mesh));
-  keep(CGAL::estimate_vertex_monge_forms<CGAL::Parallel_if_available_tag>(mesh, mesh_neighborhood(a), form_map,
-                                                                          CGAL::parameters::degree_fitting(a.degree_jet)
-                                                                              .degree_monge(a.degree_monge)
-                                                                              .edge_is_constrained_map(sharp_edges)
-                                                                              .callback(progress),
-                                                                          a.options),
-       a.options, estimates);
+  estimates.mesh_summary =
+      CGAL::estimate_vertex_monge_forms<CGAL::Parallel_if_available_tag>(mesh, mesh_neighborhood(a), form_map,
+                                                                         CGAL::parameters::degree_fitting(a.degree_jet)
+                                                                             .degree_monge(a.degree_monge)
+                                                                             .edge_is_constrained_map(sharp_edges)
+                                                                             .callback(progress),
+                                                                         a.options);
+  keep(*estimates.mesh_summary, a.options, estimates);
   return estimates;
 }
 

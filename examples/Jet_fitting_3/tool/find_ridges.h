@@ -10,70 +10,54 @@
 #include "Arguments.h"
 #include "Lines.h"
 #include "Surface.h"
+#include "estimate.h"
 #include "interrupt.h"
 
+#include <CGAL/Jet_fitting_3/extract_ridges.h>
+#include <CGAL/Jet_fitting_3/extract_umbilics.h>
 #include <CGAL/Jet_fitting_3/ridges.h>
-#include <CGAL/Ridges.h>
-#include <CGAL/Umbilics.h>
 
-#include <boost/iterator/function_output_iterator.hpp>
-
-#include <memory>
 #include <vector>
 
 namespace tool {
 
-struct Umbilic
-{
-  Point point;
-  bool is_elliptic;
-};
-
 struct Ridges_and_umbilics
 {
-  std::vector<Line> lines; // of type CGAL::Ridge_type
-  std::vector<Umbilic> umbilics;
+  std::vector<Line> lines; // of type CGAL::Jet_fitting::Ridge_type
+  std::vector<CGAL::Jet_fitting::Umbilic_point<Kernel>> umbilics;
 };
 
-inline Line as_line(const CGAL::Ridge_line<Mesh>& ridge, const Mesh& mesh)
+inline Line as_line(const CGAL::Jet_fitting::Ridge_line<Kernel>& ridge)
 {
   Line line;
-  line.type = ridge.line_type();
-  line.strength = ridge.strength();
-  line.sharpness = ridge.sharpness();
-  for (const auto& [h, weight_of_source] : *ridge.line())
-    line.points.push_back(CGAL::barycenter(mesh.point(source(h, mesh)), weight_of_source, mesh.point(target(h, mesh))));
+  line.type = static_cast<int>(ridge.type);
+  line.strength = ridge.strength;
+  line.sharpness = ridge.sharpness;
+  for (const auto& p : ridge.points) line.points.push_back(p.point);
+  if (ridge.is_closed) line.points.push_back(ridge.points.front().point);
   return line;
 }
 
-// Of a triangle mesh, by CGAL's package Ridges_3. \throw Interrupted
-template <class Maps>
-Ridges_and_umbilics find_ridges(const Mesh& mesh, const Maps& maps, const Arguments& a)
+inline double mean_edge_length(const Mesh& mesh)
 {
-  // CGAL hands out plain pointers, and goes on changing what they point to until it returns.
-  std::vector<std::unique_ptr<CGAL::Ridge_line<Mesh>>> ridges;
-  std::vector<std::unique_ptr<CGAL::Umbilic<Mesh>>> umbilics;
-  const auto take_ridge = boost::make_function_output_iterator([&](auto* ridge) { ridges.emplace_back(ridge); });
-  const auto take_umbilic =
-      boost::make_function_output_iterator([&](auto* umbilic) { umbilics.emplace_back(umbilic); });
+  double sum = 0;
+  for (Mesh::Edge_index e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / static_cast<double>(mesh.number_of_edges());
+}
 
-  const CGAL::Ridge_order order = a.ridge_order == 3 ? CGAL::Ridge_order_3 : CGAL::Ridge_order_4;
-  CGAL::Ridge_approximation<Mesh, typename Maps::Scalar_map, typename Maps::Vector_map> approximation(
-      mesh, maps.k1, maps.k2, maps.b0, maps.b3, maps.d1, maps.d2, maps.P1, maps.P2);
-  if (a.ridges == Ridges::crest) approximation.compute_crest_ridges(take_ridge, order);
-  if (a.ridges == Ridges::max || a.ridges == Ridges::all) approximation.compute_max_ridges(take_ridge, order);
-  if (a.ridges == Ridges::min || a.ridges == Ridges::all) approximation.compute_min_ridges(take_ridge, order);
+// Of a triangle mesh. \throw Interrupted
+inline Ridges_and_umbilics find_ridges(const Mesh& mesh, const Estimates& estimates, const Arguments& a)
+{
+  const auto form_map = boost::make_iterator_property_map(estimates.forms.begin(), get(boost::vertex_index, mesh));
+  const CGAL::Jet_fitting::Ridge_property_maps<Mesh> maps(mesh, form_map, *estimates.mesh_summary);
+  Ridges_and_umbilics found;
+  for (const auto& ridge : CGAL::Jet_fitting::extract_ridges(mesh, maps, a.ridge_options).lines)
+    found.lines.push_back(as_line(ridge));
   stop_if_interrupted();
-  CGAL::compute_umbilics(mesh, maps.k1, maps.k2, maps.d1, maps.d2, take_umbilic, a.umbilic_size);
+  found.umbilics = CGAL::Jet_fitting::extract_umbilics(mesh, maps, a.umbilic_size * mean_edge_length(mesh));
   stop_if_interrupted();
-
-  Ridges_and_umbilics result;
-  for (const auto& ridge : ridges)
-    if (ridge->strength() >= a.least_strength && ridge->sharpness() >= a.least_sharpness)
-      result.lines.push_back(as_line(*ridge, mesh));
-  for (const auto& umbilic : umbilics)
-    result.umbilics.push_back({mesh.point(umbilic->vertex()), umbilic->umbilic_type() == CGAL::ELLIPTIC_UMBILIC});
-  return result;
+  return found;
 }
 
 } // namespace tool

@@ -131,11 +131,14 @@ public:
                                          "condition_number, ...; or none")
       ("percentile", number(2, "2"), "the range of colours leaves out this percentage of the vertices at either end");
     ridges.add_options()
-      ("ridges", word("kind", "none"), "none, max, min, crest or all (max and min)")
+      ("ridges", po::value<std::string>()->value_name("kind"), "find ridges: max (of k1), min (of k2), all or crest")
       ("ridge-order", integer(4), "3 or 4: order of the derivatives that tell maxima from minima")
-      ("min-strength", number(0, "0"), "leave out weaker ridges")
-      ("min-sharpness", number(0, "0"), "leave out ridges that are less sharp (order 4)")
-      ("umbilic-size", number(2, "2"), "size of the patches around umbilics, in sizes of the first ring")
+      ("min-length", number(0, "0"), "leave out shorter ridges")
+      ("min-strength", number(0, "0"), "and weaker ones: the strength is the integral of the curvature along the line")
+      ("min-sharpness", number(0, "0"), "and less sharp ones (order 4)")
+      ("significance", number(0, "0"), "leave out what noise may have drawn: a ridge counts where the derivative of the "
+                                       "curvature changes its sign by so many standard errors; 2 is a good value")
+      ("umbilic-size", number(2, "2"), "umbilics closer to each other than that, in mean edge lengths, become one")
       ("ridges-output", files(), "ridge lines: ply, obj, vtp");
     picture.add_options()
       ("picture", file(), "png, drawn by povray; or pov, the scene alone")
@@ -198,19 +201,26 @@ public:
 private:
   static void set_ridges(const po::variables_map& given, Arguments& a)
   {
-    a.ridges = choice<Ridges>(given, "ridges",
-                              {{"none", Ridges::none},
-                               {"max", Ridges::max},
-                               {"min", Ridges::min},
-                               {"crest", Ridges::crest},
-                               {"all", Ridges::all}});
-    a.ridge_order = given["ridge-order"].as<int>();
-    if (a.ridge_order != 3 && a.ridge_order != 4) throw Usage_error("--ridge-order must be 3 or 4");
-    a.least_strength = given["min-strength"].as<double>();
-    a.least_sharpness = given["min-sharpness"].as<double>();
-    a.umbilic_size = given["umbilic-size"].as<double>();
-    if (!(a.umbilic_size >= 1)) throw Usage_error("--umbilic-size must be 1 or more");
-    if (a.least_sharpness > 0 && a.ridge_order == 3) throw Usage_error("--min-sharpness needs --ridge-order 4");
+    using CGAL::Jet_fitting::Ridge_selection;
+    a.finds_ridges = given.count("ridges") != 0;
+    if (a.finds_ridges)
+      a.ridge_options.lines = choice<Ridge_selection>(given, "ridges",
+                                                      {{"all", Ridge_selection::max_and_min},
+                                                       {"max", Ridge_selection::max},
+                                                       {"min", Ridge_selection::min},
+                                                       {"crest", Ridge_selection::crest}});
+    a.ridge_options.order = given["ridge-order"].as<int>();
+    if (a.ridge_options.order != 3 && a.ridge_options.order != 4) throw Usage_error("--ridge-order must be 3 or 4");
+    const auto threshold = [&](const char* option) {
+      const double x = given[option].as<double>();
+      if (!(x >= 0)) throw Usage_error("--" + std::string(option) + " must not be negative");
+      return x;
+    };
+    a.ridge_options.least_length = threshold("min-length");
+    a.ridge_options.least_strength = threshold("min-strength");
+    a.ridge_options.least_sharpness = threshold("min-sharpness");
+    a.ridge_options.significance = threshold("significance");
+    a.umbilic_size = threshold("umbilic-size");
   }
 
   static void set_fit(const po::variables_map& given, Arguments& a)
@@ -218,12 +228,12 @@ private:
     const auto degree = [&](const char* option, std::size_t otherwise) {
       return static_cast<std::size_t>(positive<int>(given, option).value_or(static_cast<int>(otherwise)));
     };
-    const bool has_ridges = a.ridges != Ridges::none;
-    a.degree_jet = degree("degree-jet", has_ridges ? 4 : 2);
+    a.degree_jet = degree("degree-jet", a.finds_ridges ? 4 : 2);
     a.degree_monge = degree("degree-monge", a.degree_jet);
     if (a.degree_monge > a.degree_jet) throw Usage_error("--degree-monge must not exceed --degree-jet");
-    if (has_ridges && a.degree_monge < static_cast<std::size_t>(a.ridge_order))
-      throw Usage_error("ridges of order " + std::to_string(a.ridge_order) + " need a Monge form of that degree");
+    if (a.finds_ridges && a.degree_monge < static_cast<std::size_t>(a.ridge_options.order))
+      throw Usage_error("ridges of order " + std::to_string(a.ridge_options.order) +
+                        " need a Monge form of that degree");
 
     if (given.count("nb-rings") != 0) a.rings = given["nb-rings"].as<int>();
     if (given.count("nb-points") != 0 && given["nb-points"].as<int>() != 0)
@@ -251,7 +261,7 @@ private:
                                    {"huber", Loss::huber},
                                    {"cauchy", Loss::cauchy},
                                    {"tukey", Loss::tukey}});
-    a.options.standard_errors = given.count("errors") != 0;
+    a.options.standard_errors = given.count("errors") != 0 || a.ridge_options.significance > 0;
     a.options.lower_degree = given.count("lower-degree") != 0;
     a.options.report_quality = given.count("no-quality") == 0;
   }
@@ -267,7 +277,7 @@ private:
     a.outputs = files("output", {"ply", "vtp", "csv"});
     a.direction_outputs = files("directions", {"ply", "vtp", "obj"});
     a.ridge_outputs = files("ridges-output", {"ply", "vtp", "obj"});
-    if (!a.ridge_outputs.empty() && a.ridges == Ridges::none) throw Usage_error("--ridges-output needs --ridges");
+    if (!a.ridge_outputs.empty() && !a.finds_ridges) throw Usage_error("--ridges-output needs --ridges");
     a.minimal_directions = choice<bool>(given, "direction", {{"max", false}, {"min", true}});
     a.color = given["color"].as<std::string>();
     a.percentile = given["percentile"].as<double>();
@@ -280,15 +290,14 @@ private:
       a.picture = given["picture"].as<std::string>();
       check_extension("picture", a.picture, {"png", "pov"});
     }
-    a.drawn = a.ridges != Ridges::none ? Drawn::ridges : Drawn::nothing;
+    a.drawn = a.finds_ridges ? Drawn::ridges : Drawn::nothing;
     if (given.count("draw") != 0)
       a.drawn = choice<Drawn>(given, "draw",
                               {{"nothing", Drawn::nothing},
                                {"ridges", Drawn::ridges},
                                {"umbilics", Drawn::ridges_and_umbilics},
                                {"directions", Drawn::directions}});
-    if (a.draws_ridges() && a.ridges == Ridges::none)
-      throw Usage_error("--draw ridges and --draw umbilics need --ridges");
+    if (a.draws_ridges() && !a.finds_ridges) throw Usage_error("--draw ridges and --draw umbilics need --ridges");
     a.view = direction(given, "view");
     a.up = direction(given, "up");
     const std::array<double, 3>&v = a.view, &u = a.up;

@@ -14,7 +14,7 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <filesystem>
 #include <fstream>
@@ -74,16 +74,21 @@ inline Mesh read_point_set(const std::string& file)
   return mesh;
 }
 
+// By way of a list of faces, so that nothing damaged gets into a mesh: CGAL's readers of meshes trust the file.
 inline Mesh read_mesh(const std::string& file)
 {
-  Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(file, mesh)) {
-    std::vector<Point> points;
-    std::vector<std::vector<std::size_t>> faces;
-    if (!CGAL::IO::read_polygon_soup(file, points, faces))
-      throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+  std::vector<Point> points;
+  std::vector<Corners> faces;
+  if (!CGAL::IO::read_polygon_soup(file, points, faces))
+    throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+  for (const Corners& corners : faces)
+    if (corners.size() < 3 ||
+        std::any_of(corners.begin(), corners.end(), [&](std::size_t c) { return c >= points.size(); }))
+      throw Input_error(file, why_not_a_mesh(points.size(), faces));
+  if (!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))
     throw Input_error(file, why_not_a_mesh(points.size(), faces));
-  }
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, mesh);
   return mesh;
 }
 
