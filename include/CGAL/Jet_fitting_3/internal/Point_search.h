@@ -100,7 +100,7 @@ public:
     Distinct_places distinct(m_places);
     for (Index i = 0; i < points.size(); ++i)
       if (points.is_finite(i) && distinct.first(i) == i) m_tree.insert(i);
-    if (m_tree.size() > 0) m_tree.build();
+    if (!m_tree.empty()) m_tree.build();
   }
 
   Point_search(const Point_search&) = delete;
