@@ -28,7 +28,8 @@ public:
   typedef unspecified_type Point_3;
 
   /// A vector: constructible from three `FT`, with members `x()`, `y()`, `z()`, copyable.
-  /// `Monge_form::dump_4ogl()` multiplies it by an `FT`; `operator<<` of the form writes it to a stream.
+  /// `Monge_form::comply_wrt_given_normal()` multiplies its coordinates, `Monge_form::dump_4ogl()` multiplies it by an
+  /// `FT`; `operator<<` of the form writes it to a stream.
   typedef unspecified_type Vector_3;
 
   /// @}

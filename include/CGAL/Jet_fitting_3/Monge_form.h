@@ -118,7 +118,7 @@ public:
   bool comply_wrt_given_normal(const Vector_3& given)
   {
     const FT cosine = given.x() * m_n.x() + given.y() * m_n.y() + given.z() * m_n.z();
-    if (!(cosine < FT(0))) return cosine > FT(0);
+    if (!(cosine < FT(0))) return FT(0) < cosine;
     m_n = Vector_3(-m_n.x(), -m_n.y(), -m_n.z());
     std::swap(m_d1, m_d2);
     for (FT& coefficient : m_coefficients) coefficient = -coefficient;

@@ -92,7 +92,7 @@ void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typenam
   form.maximal_principal_direction() = vector(e.monge_axes.x);
   form.minimal_principal_direction() = vector(e.monge_axes.y);
   form.normal_direction() = vector(e.monge_axes.z);
-  form.coefficients().resize(e.coefficients.size());
+  form.coefficients().resize(e.coefficients.size(), DFT(0));
   for (std::size_t i = 0; i < e.coefficients.size(); ++i) form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
 }
 

@@ -15,8 +15,9 @@
 #include <type_traits>
 
 /// \file
-/// What a number type FT must offer to the steps: + - * / and unary -, construction from int and double,
-/// comparisons, `sqrt` and `abs` found by argument-dependent look-up, and `std::numeric_limits`.
+/// What a number type FT must offer to the steps: + - * / and unary -, conversion from int and double, < > ==, `sqrt` and
+/// `abs` found by argument-dependent look-up, and `std::numeric_limits`; for weights by distance `exp` and an explicit
+/// conversion to double too.
 /// A comparison gives a mask: bool for one number, a lane-wise mask for a Pack. The steps branch on masks only through
 /// `select`, `any` and `all`, hence the same code runs on both. Nothing here depends on the order of inclusion.
 
@@ -124,8 +125,8 @@ template <class Number>
 Number next_power_of_two(const Number& x)
 {
   Number p(1);
-  while (!(x < p)) p *= Number(2);
-  while (x < Number(p / Number(2))) p /= Number(2);
+  while (!(x < p)) p = p * Number(2);
+  while (x < Number(p / Number(2))) p = p / Number(2);
   return p;
 }
 
