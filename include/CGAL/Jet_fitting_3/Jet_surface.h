@@ -253,7 +253,12 @@ private:
   /// Coordinates of q in the basis, in the unit.
   Vector local(const Point_3& q) const
   {
-    return m_axes.in(Number(Number(1) / m_unit) * samples_relative_to<D2L, Number>(m_p, &q, 1)[0]);
+    try {
+      return m_axes.in(Number(Number(1) / m_unit) * samples_relative_to<D2L, Number>(m_p, &q, 1)[0]);
+    } catch (const Invalid_input&) { // which speaks of samples
+      throw Invalid_input(
+          "the point is not at a finite distance from that of the fit: a coordinate is not finite or too large");
+    }
   }
 
   Point_3 point_over(const Place<Number>& at) const
