@@ -89,7 +89,7 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
   const auto write = [&](const Fits& fits) {
     for (const Fit<Kernel>& f : fits) {
       *output++ = f.form;
-      if (!qualities.empty()) qualities[written] = f.quality;
+      if (!f.quality.empty()) qualities[written] = f.quality.front();
       statuses[written++] = f.status;
     }
   };

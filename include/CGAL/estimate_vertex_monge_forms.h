@@ -94,7 +94,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     for (std::size_t i = 0; i < fits.size(); ++i) {
       put(vertex_form_map, setting.item(static_cast<Index>(first + i)), fits[i].form);
       statuses[first + i] = fits[i].status;
-      if (!qualities.empty()) qualities[first + i] = fits[i].quality;
+      if (!fits[i].quality.empty()) qualities[first + i] = fits[i].quality.front();
     }
   };
 

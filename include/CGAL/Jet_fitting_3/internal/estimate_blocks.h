@@ -57,8 +57,8 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
           Fit<DataKernel>& fit_of_i = fits[i - first];
           const auto d1 = fit_of_i.form.maximal_principal_direction();
           orient(static_cast<Index>(i), fit_of_i.form);
-          if (fit_of_i.quality.standard_errors.is_estimated && d1 != fit_of_i.form.maximal_principal_direction())
-            fit_of_i.quality.standard_errors.turn();
+          if (d1 != fit_of_i.form.maximal_principal_direction())
+            for (Fit_quality& quality : fit_of_i.quality) quality.standard_errors.turn();
         }
 
       const std::lock_guard<std::mutex> lock(mutex);

@@ -62,13 +62,14 @@ private:
   std::vector<std::size_t> m_ends;
 };
 
-/// A form, empty unless status.is_estimated(). The quality is that of an estimated form, if asked for.
+/// A form, empty unless status.is_estimated(). The quality of an estimated form, if asked for, otherwise none: it is
+/// several times as large as all the rest, which would no longer stay in the cache.
 template <class DataKernel>
 struct Fit
 {
   Monge_form<DataKernel> form;
   Estimation_status status;
-  Fit_quality quality;
+  std::vector<Fit_quality> quality;
 };
 
 /// The rows of a block that can be fitted together, sorted by their lengths, so that the lanes of a pack hardly differ.
@@ -224,18 +225,18 @@ private:
            const Condition_number& condition_number, const typename DataKernel::Point_3& p) const
   {
     fit.status = assess(estimation);
+    fit.quality.clear();
     if (!fit.status.is_estimated()) {
       fit.form = {};
       return;
     }
     assign(fit.form, estimation, p, typename Exact_first_converters<DataKernel, LocalKernel>::L2D_converter{});
-    if (m_options.loss != Loss::least_squares && number_of_points < 5 * number_of_jet_coefficients(m_d))
+    if (m_options.loss != Loss::least_squares &&
+        number_of_points < 5 * number_of_jet_coefficients(estimation.jet.degree()))
       fit.status |= Status_flag::few_points_for_robust_loss;
     if (!reports_quality()) return;
-    fit.quality.number_of_points = number_of_points;
-    fit.quality.residual_rms = double(estimation.residual_rms);
-    fit.quality.condition_number = m_options.report_quality ? double(condition_number()) : 0;
-    fit.quality.standard_errors = as_doubles(estimation.standard_errors);
+    fit.quality.push_back({number_of_points, m_options.report_quality ? double(condition_number()) : 0,
+                           double(estimation.residual_rms), as_doubles(estimation.standard_errors)});
   }
 
   static Standard_errors<double> as_doubles(const Standard_errors<FT>& errors)
