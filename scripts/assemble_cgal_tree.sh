@@ -5,8 +5,8 @@
 #   CHANGES.md                                               ->  an entry of <tree>/Installation/CHANGES.md
 #   doc/.../Jet_fitting_3.txt, the bibliography at its end   ->  <tree>/Documentation/doc/biblio/, see CONTRIBUTING.md
 # The CMakeLists.txt of examples and tests are written anew, with CGAL's own commands. The tests of this repository that
-# CGAL's testsuite makes itself (of headers, of the text of sources, of installing), the scripts, and what builds the manual
-# without CGAL stay behind.
+# CGAL's testsuite makes itself (of headers, of the text of sources, of installing) or that need arguments, the scripts, and
+# what builds the manual without CGAL stay behind.
 # usage: assemble_cgal_tree.sh <tree>
 #        if <tree> is a checkout of CGAL, its Jet_fitting_3 is replaced: commit or copy it before
 set -eu
@@ -28,7 +28,7 @@ for part in include examples test benchmark doc package_info; do
 done
 rm -rf "$package/doc/Jet_fitting_3/CMakeLists.txt" "$package/doc/Jet_fitting_3/stand_alone" \
   "$package/test/Jet_fitting_3/install_consumer" "$package/test/Jet_fitting_3/cgal_programs" \
-  "$package/test/Jet_fitting_3/fuzz" "$package/test/Jet_fitting_3"/*.sh \
+  "$package/test/Jet_fitting_3/fuzz" "$package/test/Jet_fitting_3/mesh_estimation_tool.cpp" "$package/test/Jet_fitting_3"/*.sh \
   "$package/benchmark/Jet_fitting_3/CMakeLists.txt"
 mkdir -p "$tree/Installation/cmake/modules"
 cp "$root/cmake/FindLAPACKE.cmake" "$tree/Installation/cmake/modules/"

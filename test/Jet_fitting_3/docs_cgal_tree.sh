@@ -39,11 +39,11 @@ build examples/Jet_fitting_3 Single_estimation
 grep -q '^k1 : 0.8' "$scratch/Single_estimation.txt" || fail "Single_estimation does not find k1 = 0.8"
 build test/Jet_fitting_3 bad_input
 
-find "$root/examples/Jet_fitting_3" "$root/test/Jet_fitting_3" -maxdepth 1 -name '*.cpp' | while read -r source; do
+find "$package/examples/Jet_fitting_3" "$package/test/Jet_fitting_3" -maxdepth 1 -name '*.cpp' | while read -r source; do
   program=$(basename "$source")
   cat "$package"/examples/*/CMakeLists.txt "$package"/test/*/CMakeLists.txt | grep -qF "\"$program\"" || echo "$program"
 done > "$scratch/forgotten"
-[ ! -s "$scratch/forgotten" ] || fail "the tree has no $(cat "$scratch/forgotten")"
+[ ! -s "$scratch/forgotten" ] || fail "no CMakeLists.txt of the tree has $(cat "$scratch/forgotten")"
 
 echo "docs_cgal_tree: $failures failures"
 [ "$failures" -eq 0 ]
