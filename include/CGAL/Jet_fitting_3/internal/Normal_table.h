@@ -11,7 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/Monge_form.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
-#include <CGAL/Jet_fitting_3/values/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <CGAL/number_utils.h>
 
