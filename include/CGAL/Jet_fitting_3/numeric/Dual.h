@@ -53,6 +53,13 @@ struct Dual
   friend Dual abs(const Dual& a) { return {absolute(a.value), select(a.value < FT(0), FT(-a.tangent), a.tangent)}; }
 };
 
+/// A choice that follows the value, too.
+template <class FT>
+Dual<FT> power_of_two_above(const Dual<FT>& x)
+{
+  return power_of_two_above(x.value);
+}
+
 template <class Mask, class FT>
 Dual<FT> select_lanes(const Mask& mask, const Dual<FT>& if_true, const Dual<FT>& if_false)
 {

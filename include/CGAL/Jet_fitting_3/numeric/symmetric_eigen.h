@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <array>
+#include <limits>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -45,11 +46,13 @@ struct Eigen_2
   FT x, y; ///< unit eigenvector of the larger value
 };
 
-/// [[a, b], [b, c]]. The vector is (1, 0) where both values are equal.
+/// [[a, b], [b, c]]. The vector is (1, 0) where both values are equal. The rotation is found in a unit in which no square
+/// that counts underflows: it would be none.
 template <class FT>
 Eigen_2<FT> symmetric_eigen_2(const FT& a, const FT& b, const FT& c)
 {
-  const Rotation<FT> rotation = jacobi_rotation(a, b, c);
+  const FT difference = a - c, per_unit = FT(1) / power_of_two_above(larger(absolute(difference), absolute(b)));
+  const Rotation<FT> rotation = jacobi_rotation(FT(per_unit * difference), FT(per_unit * b), FT(0));
   const FT first = a + rotation.tangent * b, second = c - rotation.tangent * b;
   const auto swapped = first < second;
   return {select(swapped, second, first), select(swapped, first, second),
@@ -92,7 +95,9 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
 
   const Vector_3<FT> rows[] = {{a.xx - lambda, a.xy, a.xz}, {a.xy, a.yy - lambda, a.yz}, {a.xz, a.yz, a.zz - lambda}};
   Vector_3<FT> longest{FT(0), FT(0), FT(1)};
-  FT square(0);
+  using Limits = std::numeric_limits<typename Lanes<FT>::Number>;
+  const FT least = FT(Limits::min() / Limits::epsilon()); // below, underflow has taken digits of the square
+  FT square = least;
   for (int i = 0; i < 3; ++i) {
     const Vector_3<FT> product = cross(rows[i], rows[(i + 1) % 3]);
     const FT product_square = dot(product, product);
@@ -101,7 +106,7 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
                select(is_longer, product.z, longest.z)};
     square = select(is_longer, product_square, square);
   }
-  const FT length = select(square > FT(0), square_root(square), FT(1));
+  const FT length = select(square > least, square_root(square), FT(1));
   return FT(FT(1) / length) * longest;
 }
 
@@ -109,8 +114,11 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
 /// where eigenvalues coincide, as they do for rings on a sphere, which closed formulas cannot offer. One vector is
 /// guessed, which leaves few rotations to do; a bad guess costs some more.
 template <class FT>
-Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& a)
+Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
 {
+  const FT unit = power_of_two_above(FT(matrix.xx + matrix.yy + matrix.zz)), per_unit = FT(1) / unit;
+  const Symmetric_3<FT> a{per_unit * matrix.xx, per_unit * matrix.xy, per_unit * matrix.xz,
+                          per_unit * matrix.yy, per_unit * matrix.yz, per_unit * matrix.zz};
   // a basis around the guess (Duff et al. 2017)
   Vector_3<FT> w = direction_of_least_eigenvalue(a);
   const FT sign = select(w.z < FT(0), FT(-1), FT(1)), factor = FT(-1) / (sign + w.z), product = w.x * w.y * factor;
@@ -157,7 +165,7 @@ Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& a)
   order(xx, yy, u, v);
   order(xx, zz, u, w);
   order(yy, zz, v, w);
-  return {{{xx, yy, zz}}, {{u, v, w}}};
+  return {{{unit * xx, unit * yy, unit * zz}}, {{u, v, w}}};
 }
 
 } // namespace numeric
