@@ -127,7 +127,8 @@ public:
     e.monge_axes = {m_axes.out(monge.axes.x), m_axes.out(monge.axes.y), m_axes.out(monge.axes.z)};
     e.coefficients = monge_coefficients(e.jet, monge, dprime);
     Monge_form form;
-    assign(form, in_smaller_unit(std::move(e), m_unit), m_p, L2D{});
+    measure_in_smaller_unit(e, m_unit);
+    assign(form, e, m_p, L2D{});
     return form;
   }
 
@@ -176,7 +177,8 @@ private:
     : Jet_surface(p, axes, jet, radius, numeric::power_of_two_above(radius))
   {
     const Number inverse = Number(1) / m_unit;
-    m_jet = in_smaller_unit(jet, inverse);
+    m_jet = jet;
+    measure_in_smaller_unit(m_jet, inverse);
     m_radius = radius * inverse;
   }
 

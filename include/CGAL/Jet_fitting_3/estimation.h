@@ -119,19 +119,18 @@ void rescale(Monge_coefficients<FT>& coefficients, const FT& inverse)
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// The same estimation where lengths are measured in a unit `factor` times smaller. For a power of two, exact.
+/// Measures lengths in a unit `factor` times smaller. For a power of two, exact.
 template <class FT>
-Estimation<FT> in_smaller_unit(Estimation<FT> e, const FT& factor)
+void measure_in_smaller_unit(Estimation<FT>& e, const FT& factor)
 {
   const FT inverse = FT(1) / factor;
   for (FT& variance : e.fitting.variances) variance = numeric::multiplied(variance, factor, 2);
   e.fitting.centroid = factor * e.fitting.centroid;
-  e.jet = in_smaller_unit(std::move(e.jet), factor);
+  measure_in_smaller_unit(e.jet, factor);
   e.origin = factor * e.origin;
   rescale(e.coefficients, inverse);
   rescale(e.standard_errors.coefficients, inverse);
   e.residual_rms = factor * e.residual_rms;
-  return e;
 }
 
 /// \ingroup PkgJetFitting3Steps
@@ -150,7 +149,9 @@ Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t d
   const FT unit = unit_of_length(samples);
   samples.scale(FT(1) / unit);
   if (options.weights_by_distance()) weight_by_distance(samples, options);
-  return in_smaller_unit(estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options), unit);
+  Estimation<FT> e = estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options);
+  measure_in_smaller_unit(e, unit);
+  return e;
 }
 
 } // namespace Jet_fitting

@@ -95,42 +95,31 @@ private:
   std::vector<std::uint32_t> m_starts, m_rows;
 };
 
-/// One lane of an estimation in packs.
+/// Copies one lane of an estimation in packs, but for its basis and its system.
 template <class FT, int lanes>
-Estimation<FT> lane(const Estimation<numeric::Pack<FT, lanes>>& e, int i)
+void copy_lane(const Estimation<numeric::Pack<FT, lanes>>& from, int i, Estimation<FT>& to)
 {
   using Pack = numeric::Pack<FT, lanes>;
   const auto vector = [i](const Vector_3<Pack>& v) { return Vector_3<FT>{v.x[i], v.y[i], v.z[i]}; };
-  const auto basis = [&vector](const Basis_3<Pack>& b) { return Basis_3<FT>{vector(b.x), vector(b.y), vector(b.z)}; };
-  const auto buffer = [i](const Monge_coefficients<Pack>& packs) {
-    Monge_coefficients<FT> numbers;
+  const auto copy = [i](const Monge_coefficients<Pack>& packs, Monge_coefficients<FT>& numbers) {
     numbers.resize(packs.size());
     for (std::size_t j = 0; j < packs.size(); ++j) numbers[j] = packs[j][i];
-    return numbers;
   };
-  Estimation<FT> result{{basis(e.fitting.axes),
-                         {{e.fitting.variances[0][i], e.fitting.variances[1][i], e.fitting.variances[2][i]}},
-                         vector(e.fitting.centroid)},
-                        Jet<FT>(e.jet.degree()),
-                        vector(e.origin),
-                        basis(e.monge_axes),
-                        {},
-                        e.residual_rms[i],
-                        {},
-                        {},
-                        {}};
-  for (std::size_t k = 0; k <= e.jet.degree(); ++k)
-    for (std::size_t j = 0; j <= k; ++j) result.jet.part(k)[j] = e.jet.part(k)[j][i];
-  result.coefficients = buffer(e.coefficients);
-  result.solution.rank = e.solution.rank;
-  if (e.standard_errors.is_estimated) {
-    result.standard_errors.is_estimated = true;
-    result.standard_errors.degrees_of_freedom = e.standard_errors.degrees_of_freedom[i];
-    result.standard_errors.normal_along_d1 = e.standard_errors.normal_along_d1[i];
-    result.standard_errors.normal_along_d2 = e.standard_errors.normal_along_d2[i];
-    result.standard_errors.coefficients = buffer(e.standard_errors.coefficients);
-  }
-  return result;
+  for (std::size_t j = 0; j < 3; ++j) to.fitting.variances[j] = from.fitting.variances[j][i];
+  to.fitting.centroid = vector(from.fitting.centroid);
+  if (to.jet.degree() != from.jet.degree()) to.jet = Jet<FT>(from.jet.degree());
+  for (std::size_t k = 0; k <= from.jet.degree(); ++k)
+    for (std::size_t j = 0; j <= k; ++j) to.jet.part(k)[j] = from.jet.part(k)[j][i];
+  to.origin = vector(from.origin);
+  to.monge_axes = {vector(from.monge_axes.x), vector(from.monge_axes.y), vector(from.monge_axes.z)};
+  copy(from.coefficients, to.coefficients);
+  to.residual_rms = from.residual_rms[i];
+  to.standard_errors.is_estimated = from.standard_errors.is_estimated;
+  if (!from.standard_errors.is_estimated) return;
+  to.standard_errors.degrees_of_freedom = from.standard_errors.degrees_of_freedom[i];
+  to.standard_errors.normal_along_d1 = from.standard_errors.normal_along_d1[i];
+  to.standard_errors.normal_along_d2 = from.standard_errors.normal_along_d2[i];
+  copy(from.standard_errors.coefficients, to.standard_errors.coefficients);
 }
 
 /// The factor R of one lane, for its condition number.
@@ -211,7 +200,8 @@ private:
         continue;
       }
       const auto condition_number = [&] { return numeric::condition_number(lane(estimation.solution.r, int(i))); };
-      set(fits[row[i]], lane(estimation, int(i)), block.length(row[i]), condition_number, m_points[*points]);
+      copy_lane(estimation, int(i), m_lane);
+      set(fits[row[i]], m_lane, block.length(row[i]), condition_number, m_points[*points]);
     }
   }
 
@@ -307,6 +297,7 @@ private:
   double m_weight_factor = 1;
   Rows_by_length m_order;
   Samples<Pack> m_samples;
+  Estimation<FT> m_lane{};
   Abstaining_solver<Pack> m_solver;
 };
 

@@ -48,11 +48,13 @@ public:
   numeric::Least_squares_solution<FT> operator()(std::size_t rows, std::size_t columns, const Assemble& assemble)
   {
     auto solution = m_fast(rows, columns, assemble);
-    if (solution.trusted) return solution;
-    numeric::Linear_system<FT> system;
-    system.resize(rows, columns);
-    assemble(system);
-    return numeric::solve_by_singular_values(system);
+    if (!solution.trusted) {
+      numeric::Linear_system<FT> system;
+      system.resize(rows, columns);
+      assemble(system);
+      solution = numeric::solve_by_singular_values(system);
+    }
+    return solution;
   }
 
 private:

@@ -56,15 +56,14 @@ private:
 };
 
 /// \ingroup PkgJetFitting3Steps
-/// The same jet where lengths are measured in a unit `factor` times smaller: A_ij becomes A_ij * factor^(1-i-j).
+/// Measures lengths in a unit `factor` times smaller: A_ij becomes A_ij * factor^(1-i-j).
 template <class FT>
-Jet<FT> in_smaller_unit(Jet<FT> jet, const FT& factor)
+void measure_in_smaller_unit(Jet<FT>& jet, const FT& factor)
 {
   const FT inverse = FT(1) / factor;
   jet(0, 0) = jet(0, 0) * factor;
   for (std::size_t k = 2; k <= jet.degree(); ++k)
     for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] = numeric::multiplied(jet.part(k)[i], inverse, k - 1);
-  return jet;
 }
 
 } // namespace Jet_fitting

@@ -110,10 +110,13 @@ private:
 template <class FT>
 FT unit_of_length(const Samples<FT>& samples)
 {
-  FT size(0);
-  for (const FT* c : {samples.x(), samples.y(), samples.z()})
-    for (std::size_t i = 0; i < samples.size(); ++i) size = numeric::larger(size, numeric::absolute(c[i]));
-  return numeric::power_of_two_above(size);
+  FT x(0), y(0), z(0); // side by side, because a comparison takes several cycles
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    x = numeric::larger(x, numeric::absolute(samples.x()[i]));
+    y = numeric::larger(y, numeric::absolute(samples.y()[i]));
+    z = numeric::larger(z, numeric::absolute(samples.z()[i]));
+  }
+  return numeric::power_of_two_above(numeric::larger(x, numeric::larger(y, z)));
 }
 
 } // namespace Jet_fitting
