@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A Monge form at every vertex by estimate_vertex_monge_forms(): with one thread and with two, on meshes of 10 thousand
+// to a million vertices, in natural and in random order; and gathering the neighbourhoods alone.
+// usage: mesh_throughput [options of Google Benchmark] [folder of CGAL's data]
+
+#include "mesh_job.h"
+
+#include <CGAL/Jet_fitting_3/neighborhoods/Vertex_gatherer.h>
+#include <CGAL/estimate_vertex_monge_forms.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+template <class ConcurrencyTag>
+void estimate(Mesh& mesh, const Fit_of_rings& fit, Forms& forms)
+{
+  CGAL::estimate_vertex_monge_forms<ConcurrencyTag>(mesh, CGAL::Jet_fitting::k_rings(fit.rings), forms,
+                                                    CGAL::parameters::degree_fitting(fit.d).degree_monge(fit.d));
+}
+
+void gather_alone(benchmark::State& state, Mesh& mesh, int rings)
+{
+  std::size_t gathered = 0;
+  for (auto _ : state) {
+    CGAL::Jet_fitting::Vertex_gatherer<Mesh> gather(mesh);
+    std::vector<Vertex> around;
+    gathered = 0;
+    for (const Vertex v : mesh.vertices()) {
+      gather(CGAL::Jet_fitting::k_rings(rings), v, around);
+      gathered += around.size();
+    }
+  }
+  report(state, mesh, double(gathered));
+}
+
+int main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  Meshes meshes(argc > 1 ? argv[1] : CGAL::data_file_path(""));
+  add_mesh_jobs("mesh", meshes, {"armadillo", "torus_10000", "torus_100000", "torus_1000000"},
+                estimate<CGAL::Sequential_tag>);
+  add_mesh_jobs("mesh", meshes, {"torus_100000_shuffled", "torus_1000000_shuffled"}, estimate<CGAL::Sequential_tag>);
+  for (const int rings : {2, 3})
+    benchmark::RegisterBenchmark(("gather/armadillo/rings:" + std::to_string(rings)).c_str(),
+                                 [&meshes, rings](benchmark::State& state) {
+                                   gather_alone(state, meshes("armadillo"), rings);
+                                 })
+        ->Unit(benchmark::kMillisecond);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2})
+    add_mesh_jobs("threads_" + std::to_string(threads), meshes, {"torus_100000", "torus_1000000"},
+                  [threads](Mesh& mesh, const Fit_of_rings& fit, Forms& forms) {
+                    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+                    estimate<CGAL::Parallel_tag>(mesh, fit, forms);
+                  });
+#endif
+  benchmark::RunSpecifiedBenchmarks();
+}
