@@ -39,7 +39,7 @@ exists() {
   "$compiler" -std=c++17 "$@" -E "$scratch/exists.cpp" > /dev/null 2>&1
 }
 
-warnings="-Wall -Wextra -Wshadow -Wconversion -Werror"
+warnings="-Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror"
 # One translation unit for each header, two at a time.
 for header in $(find CGAL -name '*.h' | sort); do
   needed=$(needs "$header")
