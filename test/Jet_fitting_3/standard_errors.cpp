@@ -200,6 +200,39 @@ void coverage()
     check_near(hits[order] / trials[order], 0.947, 0.009, "coverage over all settings, order " + text(order));
 }
 
+// Outliers that a robust loss has overcome are no noise. Intervals are approximate then: the share over all k, b, c.
+void coverage_of_robust_fits()
+{
+  for (const auto& surface : known_surfaces<double>()) {
+    if (surface.name != "torus0_2") continue;
+    const double h = 0.4 * length_scale(surface.form);
+    const auto true_values = quantities(Known_form<double>(surface.form), surface.form);
+    for (const Loss loss : {Loss::cauchy, Loss::tukey})
+      for (const bool outliers : {false, true}) {
+        std::mt19937 random(1);
+        Fit_options options;
+        options.loss = loss;
+        double covered = 0, all = 0;
+        for (int trial = 0; trial < 200; ++trial) {
+          Points points = with_noise(sample(surface, sunflower(90, h)), surface.form.axes.z, 2.4e-3 * h, random);
+          for (std::size_t i = 1; outliers && i < points.size(); ++i)
+            if (random() % 5 == 0) points[i] = points[i] + (random() % 2 ? 0.5 * h : -0.5 * h) * surface.form.axes.z;
+          const Fit::Estimate e = estimate(points, 4, 4, options);
+          Standard_errors<double> se = e.standard_errors();
+          const auto form = known_form<double>(e.monge_form(), 4);
+          if (dot(form.axes.z, surface.form.axes.z) < 0) se.turn();
+          const auto found = quantities(form, surface.form);
+          const double t = confidence_factor(0.95, se.degrees_of_freedom);
+          for (std::size_t i = 2; i < found.size(); ++i, ++all)
+            covered += std::abs(found[i] - true_values[i]) <= t * all_errors(se)[i];
+        }
+        check_near(covered / all, 0.94, 0.03,
+                   std::string(loss == Loss::tukey ? "Tukey" : "Cauchy") + (outliers ? ", 20 %" : ", no") +
+                       " outliers: coverage");
+      }
+  }
+}
+
 // What intervals do not know: a degree too low. The truth then lies outside nearly always.
 void bias_is_not_covered()
 {
@@ -311,6 +344,7 @@ int main()
 {
   definition();
   coverage();
+  coverage_of_robust_fits();
   bias_is_not_covered();
   other_side();
   units();

@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_NOISE_ROBUST_FITTING_H
 
 #include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/numeric/Dual.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 
 #include <algorithm>
@@ -65,6 +66,28 @@ FT robust_scale(const numeric::Buffer<FT, 128>& residuals, const Samples<FT>& sa
 }
 
 /// \ingroup PkgJetFitting3Steps
+/// What takes the place of the residual variance in the covariance of Y: with psi(r) = r weight(r), the mean of psi^2,
+/// for the degrees of freedom, times the mean weight, which R contains, over the square of the mean of psi' (Huber 1981,
+/// section 7.6).
+template <class FT>
+FT error_variance(const numeric::Buffer<FT, 128>& residuals, const Samples<FT>& samples, std::size_t parameters,
+                  const FT& least_scale, Loss loss)
+{
+  using Dual = numeric::Dual<FT>;
+  const FT scale = robust_scale(residuals, samples, parameters, least_scale);
+  FT squares(0), weights(0), slopes(0), count(0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const FT one = numeric::select(samples.weight(i) > FT(0), FT(1), FT(0));
+    const Dual r(residuals[i] / scale, FT(1)), weight = weight_of_residual(r, loss), psi = r * weight;
+    squares = squares + samples.weight(i) * psi.value * psi.value;
+    weights = weights + one * weight.value;
+    slopes = slopes + one * psi.tangent;
+    count = count + one;
+  }
+  return scale * scale * squares / (count - FT(double(parameters))) * weights * count / (slopes * slopes);
+}
+
+/// \ingroup PkgJetFitting3Steps
 /// Step 2 under a robust loss: iteratively reweighted least squares, at most 20 iterations, in the basis given.
 ///
 /// The more coefficients, the better a fit can follow outliers and hide them. So the weights are first found for a
@@ -115,6 +138,8 @@ Jet_fit<FT> fit_jet_robustly(const Samples<FT>& samples, const Basis_3<FT>& basi
   iterate((std::min)(degree, std::size_t(2)), Loss::least_absolute, 8);
   if (loss == Loss::tukey) iterate(degree, Loss::cauchy, 5);
   Jet_fit<FT> fit = iterate(degree, loss, loss == Loss::tukey ? 7 : 12);
+  fit.error_variance = error_variance(residuals(h, fit.solution.y, degree), samples, number_of_jet_coefficients(degree),
+                                      least_scale, loss);
   fit.solution.trusted = trusted;
   fit.robust_weights = std::move(weights);
   return fit;

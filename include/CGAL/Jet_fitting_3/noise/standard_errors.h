@@ -30,8 +30,8 @@ Jet<numeric::Dual<FT>> jet_in_direction(const Jet<FT>& jet, const Jet<FT>& tange
 
 /// \ingroup PkgJetFitting3Steps
 /// Standard errors by the delta method. The covariance of Y is s^2 (M^T M)^-1 = (s R^-1)(s R^-1)^T, s^2 being the
-/// residual variance. So the variance of any quantity is the sum of the squares of its derivatives along the columns of
-/// s R^-1; steps 3 and 4, run on Dual numbers, give those derivatives.
+/// residual variance, or what takes its place under a robust loss. So the variance of any quantity is the sum of the
+/// squares of its derivatives along the columns of s R^-1; steps 3 and 4, run on Dual numbers, give those derivatives.
 /// Infinite where the rank is deficient or no degree of freedom is left; meaningless at umbilics, where d1 is.
 template <class FT>
 Standard_errors<FT> standard_errors(const Jet_fit<FT>& fit, const Basis_3<FT>& fitting, std::size_t dprime,
@@ -74,7 +74,8 @@ Standard_errors<FT> standard_errors(const Jet_fit<FT>& fit, const Basis_3<FT>& f
 
   const FT infinity(std::numeric_limits<typename numeric::Lanes<FT>::Number>::infinity());
   const auto is_determined = degrees_of_freedom > (r.size() == n ? FT(0) : degrees_of_freedom);
-  const FT variance = fit.solution.square_sum / degrees_of_freedom;
+  const FT variance =
+      fit.robust_weights.empty() ? FT(fit.solution.square_sum / degrees_of_freedom) : fit.error_variance;
   const auto error = [&](const FT& square) {
     return FT(numeric::select(is_determined, numeric::square_root(FT(variance * square)), infinity));
   };

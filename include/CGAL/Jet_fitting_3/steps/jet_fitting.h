@@ -197,6 +197,7 @@ struct Jet_fit
   FT hu, hv;
   /// @}
   numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample; otherwise none
+  FT error_variance; ///< of a robust loss: what its noise and its weights make of the residual variance; otherwise 0
 };
 
 /// \ingroup PkgJetFitting3Steps
@@ -209,7 +210,8 @@ Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
                         [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); }),
                   h.hu,
                   h.hv,
-                  {}};
+                  {},
+                  FT(0)};
   fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
   return fit;
 }
