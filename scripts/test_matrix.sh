@@ -108,7 +108,7 @@ while read -r suite compiler standard flags optional assertions programs mark; d
   name=$suite-$compiler-$standard-$flags-$optional-$assertions
   line="$compiler $standard $flags $optional $assertions $programs"
   say "$suite $line"
-  run_row
+  run_row < /dev/null
   # shellcheck disable=SC2086
   printf '%-8s %-9s %-7s %-3s %-7s %-8s %-10s %-8s %s\n' "$suite" "$version" $line "$result" | tee -a "$table"
   case $result in
