@@ -18,7 +18,9 @@ namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Options
 /// One standard deviation of the normal and of each Monge coefficient, as far as noise along the fitting z axis goes.
-/// They do not know about the error that a finite degree leaves (bias), nor about the choice of the fitting axis.
+/// They do not know about the error that a finite degree leaves (bias), nor about the choice of the fitting axis. Weights
+/// are taken for inverse variances, which point weights may be and weights by distance are not: with those, and under a
+/// robust loss, they are approximate.
 /// With `degrees_of_freedom` f, quantity +- t error is a confidence interval, t being the quantile of Student's t
 /// distribution with f degrees of freedom.
 template <class FT>
