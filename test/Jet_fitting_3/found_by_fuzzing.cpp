@@ -91,7 +91,7 @@ void tiny_weights()
 // Squares of coordinates that underflow, but not quite: axes were not of length 1.
 void tiny_coordinates()
 {
-  for (int e = -330; e <= -70; e += 4) {
+  for (int e = -330; e <= -70; ++e) {
     const double tiny = std::pow(10., e);
     std::vector<Point> line(9, Point(0, 0, 0));
     line[0] = Point(0.7, tiny, 0);

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
@@ -94,7 +95,7 @@ inline Mesh read_mesh(const std::string& file)
 
 // Reads a mesh or, from a file that has no faces, a point set. \throw Input_error
 inline Mesh read_input(const std::string& file)
-{
+try {
   check_readable(file);
   const Silence silence;
   const std::string format = extension(file);
@@ -124,6 +125,10 @@ inline Mesh read_input(const std::string& file)
   }
   if (mesh.number_of_vertices() == 0) throw Input_error(file, "no vertices and no points");
   return mesh;
+} catch (const std::bad_alloc&) {
+  throw Input_error(file, "it is larger than the memory, or says so");
+} catch (const std::length_error&) {
+  throw Input_error(file, "it is larger than the memory, or says so");
 }
 
 } // namespace tool
