@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <streambuf>
 #include <string>
@@ -40,6 +41,22 @@ inline void check_readable(const std::string& file)
   if (!in || std::filesystem::is_directory(file))
     throw Input_error(file, "there is no such file, or it may not be read");
   if (in.get() == std::ifstream::traits_type::eof()) throw Input_error(file, "the file is empty");
+}
+
+// CGAL's reader of PLY files takes it for granted that properties belong to an element.
+inline void check_ply_header(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  bool has_element = false;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    if (keyword.compare(0, 8, "property") == 0 && !has_element)
+      throw Input_error(file, "not a PLY file: a property without an element");
+    has_element = has_element || keyword == "element";
+    if (has_element || keyword == "end_header") return;
+  }
 }
 
 // CGAL's readers write their own remarks to std::cerr.
@@ -101,6 +118,7 @@ try {
   const std::string format = extension(file);
   Mesh mesh;
   if (is_one_of(format, {"off", "obj", "ply", "stl", "ts"})) {
+    if (format == "ply") check_ply_header(file);
     mesh = read_mesh(file);
     if (is_point_set(mesh) && is_one_of(format, {"off", "ply"})) mesh = read_point_set(file);
     else if (is_point_set(mesh)) throw Input_error(file, "the mesh has no faces");
