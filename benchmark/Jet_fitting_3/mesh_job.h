@@ -60,19 +60,17 @@ inline Mesh torus_mesh(std::size_t vertices)
   return mesh;
 }
 
-// The same mesh, its vertices and faces in random order.
+// The same mesh, its vertices in random order.
 inline Mesh shuffled(const Mesh& mesh)
 {
   std::mt19937 random(1);
   std::vector<Vertex> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   std::shuffle(vertices.begin(), vertices.end(), random);
-  std::shuffle(faces.begin(), faces.end(), random);
   Mesh result;
   result.reserve(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
   std::vector<Vertex> image(vertices.size());
   for (const Vertex v : vertices) image[v] = result.add_vertex(mesh.point(v));
-  for (const Mesh::Face_index f : faces) {
+  for (const Mesh::Face_index f : mesh.faces()) {
     std::vector<Vertex> corners;
     for (const Vertex v : vertices_around_face(mesh.halfedge(f), mesh)) corners.push_back(image[v]);
     result.add_face(corners);
