@@ -8,11 +8,11 @@
 #define CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H
 
 #include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/solvers/Dense_matrix.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/solvers/Svd_traits_solver.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -24,42 +24,9 @@ template <class NumberType>
 class Jacobi_svd
 {
 public:
-  using FT = NumberType; ///< the number type
-
-  /// A right side and a solution.
-  class Vector
-  {
-  public:
-    /// @{
-    /// Sizes, and entries counted from 0.
-    explicit Vector(std::size_t size) : m_entries(size) {}
-    std::size_t size() const { return m_entries.size(); }
-    const FT& operator()(std::size_t i) const { return m_entries[i]; }
-    void set(std::size_t i, const FT& value) { m_entries[i] = value; }
-    FT* vector() { return m_entries.data(); }
-    /// @}
-
-  private:
-    std::vector<FT> m_entries;
-  };
-
-  /// Stored by columns.
-  class Matrix
-  {
-  public:
-    /// @{
-    /// Sizes, and entries (row, column) counted from 0.
-    Matrix(std::size_t rows, std::size_t columns) : m_rows(rows), m_columns(columns), m_entries(rows * columns) {}
-    std::size_t number_of_rows() const { return m_rows; }
-    std::size_t number_of_columns() const { return m_columns; }
-    const FT& operator()(std::size_t i, std::size_t j) const { return m_entries[j * m_rows + i]; }
-    void set(std::size_t i, std::size_t j, const FT& value) { m_entries[j * m_rows + i] = value; }
-    /// @}
-
-  private:
-    std::size_t m_rows, m_columns;
-    std::vector<FT> m_entries;
-  };
+  using FT = NumberType;           ///< the number type
+  using Vector = Dense_vector<FT>; ///< a right side and a solution
+  using Matrix = Dense_matrix<FT>; ///< stored by columns
 
   /// Writes the least squares solution of M X = B with the smallest norm into the first entries of B, for at least as
   /// many rows as columns. \return the condition number of M, infinite if a singular value is zero.
