@@ -75,6 +75,5 @@ int main(int argc, char** argv)
       benchmark->Args(c);
   }
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
 }

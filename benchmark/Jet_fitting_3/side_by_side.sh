@@ -32,7 +32,7 @@ while [ "$run" -lt "$runs" ]; do
   echo "run $run of $runs" >&2
   for program in fits mesh; do
     for side in ours cgal; do
-      "$work/${program}_$side" "--benchmark_filter=${FILTER:-.}" --benchmark_format=csv "$data" 2> /dev/null |
+      "$work/${program}_$side" "--benchmark_filter=${FILTER:-.}" --benchmark_format=csv "$data" 2>> "$work/log" |
         sed "s/^/$side,/" >> "$work/results.csv"
     done
   done
