@@ -108,8 +108,10 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
     for (std::size_t i = 0; i < padded; ++i) h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
   }
 
-  const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
-  const FT least = FT(1.0 / (1ll << 40)) * numeric::larger(extent_u, extent_v);
+  const FT narrow = FT(1.0 / (1ll << 40)); // of the unit, where weights leave next to nothing but p
+  const FT extent_u = numeric::larger(root_mean_square(h.u, samples), narrow);
+  const FT extent_v = numeric::larger(root_mean_square(h.v, samples), narrow);
+  const FT least = narrow * numeric::larger(extent_u, extent_v);
   const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
   h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, extent_v, extent_u)));
   h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, extent_u, extent_v)));
