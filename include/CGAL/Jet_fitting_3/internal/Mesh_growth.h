@@ -61,7 +61,8 @@ public:
       take_new(m_mesh[m_queue[i]]);
       keep_from(begin, [&](Index node) {
         const Index j = m_mesh.vertex(node);
-        return (m_points.squared_distance_in_units(seed, j) <= r * r) & same_side(j);
+        const bool is_near = m_points.squared_distance_in_units(seed, j) <= r * r, faces_seed = same_side(j);
+        return static_cast<bool>(is_near & faces_seed); // no branch
       });
     }
     append_to(out);
@@ -148,7 +149,7 @@ private:
     for (std::size_t i = begin; i < m_size; ++i) {
       const Index node = queue[i];
       queue[size] = node;
-      size += keep(node);
+      size += keep(node) ? 1 : 0;
     }
     m_size = size;
   }

@@ -81,7 +81,7 @@ compare_point_neighborhoods(const PointRange& points, const NumberRange& sample,
   const Setting setting(points, np);
   const internal::Point_search<typename Setting::Kernel> search(setting.points(), setting.normals());
   std::vector<internal::Index> seeds;
-  for (const auto& i : sample) seeds.push_back(setting.index(i));
+  for (const auto& i : sample) seeds.push_back(setting.index(static_cast<std::size_t>(i)));
   return internal::neighborhood_table(setting, seeds, neighborhoods, degrees, options,
                                       [&](const Neighborhood& neighborhood, internal::Index seed,
                                           std::vector<internal::Index>& row) { neighborhood(search, seed, row); });

@@ -120,7 +120,8 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
   }
   solution.square_sum = square; // of what is left of Z, the residual
   // comparisons pass over a NaN on the way, but it has reached the residual
-  solution.trusted = (smallest > FT(doubt * doubt) * largest) & is_finite(square);
+  const auto is_clear = smallest > FT(doubt * doubt) * largest, is_number = is_finite(square);
+  solution.trusted = is_clear & is_number;
   return solution;
 }
 
