@@ -108,13 +108,13 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
     for (std::size_t i = 0; i < padded; ++i) h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
   }
 
-  const FT narrow = FT(1.0 / (1ll << 40)); // of the unit, where weights leave next to nothing but p
-  const FT extent_u = numeric::larger(root_mean_square(h.u, samples), narrow);
-  const FT extent_v = numeric::larger(root_mean_square(h.v, samples), narrow);
-  const FT least = narrow * numeric::larger(extent_u, extent_v);
+  const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
+  const FT around_p = FT(1.0 / 1024); // of the unit: weights may leave next to nothing but p, which has no extent
+  const FT wider = numeric::larger(numeric::larger(extent_u, extent_v), around_p);
+  const FT least = FT(1.0 / (1ll << 40)) * wider;
   const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
-  h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, extent_v, extent_u)));
-  h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, extent_u, extent_v)));
+  h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, wider, extent_u)));
+  h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, wider, extent_v)));
   const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
   for (std::size_t i = 0; i < n; ++i) {
     u[i] = u[i] * inverse_hu;
