@@ -4,18 +4,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The condition number of a triangle, against singular values found in 60 digits.
+// The condition number of a triangle, against singular values found in 60 digits, and of several triangles in a pack.
 
 #include "check.h"
 #include "reference_fit.h"
 #include "samplings.h"
 
+#include <CGAL/Jet_fitting_3/numeric/Pack.h>
 #include <CGAL/Jet_fitting_3/numeric/condition_number.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -169,9 +171,48 @@ void special_triangles()
   check_equal(of({{Wide(1), Wide(0)}, {Wide(1), Wide(0)}}), std::numeric_limits<double>::infinity(), "singular");
 }
 
+// Lanes that need different numbers of steps, or none at all, do not disturb each other.
+void lanes_of_packs()
+{
+  using namespace CGAL::Jet_fitting::numeric;
+  std::mt19937 random(22);
+  for (std::size_t n : {1, 6, 15}) {
+    enum
+    {
+      good,
+      bad,
+      zero
+    };
+    Upper_triangle<double> triangles[3];
+    for (int kind : {good, bad, zero}) {
+      triangles[kind].resize(n);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i <= j; ++i)
+          triangles[kind](i, j) = kind == zero ? 0 : i < j ? uniform(random) - .5 : std::pow(10, -kind * double(i));
+    }
+    for (const auto& [first, second] : {std::pair(good, bad), std::pair(bad, zero), std::pair(zero, good)}) {
+      const Upper_triangle<double>* lanes[] = {&triangles[first], &triangles[second]};
+      Upper_triangle<Pack<double, 2>> packs;
+      packs.resize(n);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i <= j; ++i)
+          for (int lane = 0; lane < 2; ++lane) packs(i, j).set(lane, (*lanes[lane])(i, j));
+      const Pack<double, 2> found = condition_number(packs);
+      for (int lane = 0; lane < 2; ++lane) {
+        const double expected = condition_number(*lanes[lane]);
+        const std::string what = "lane " + text(lane) + " of triangles of size " + text(n);
+        if (lanes[lane] == &triangles[zero])
+          check_equal(found[lane], std::numeric_limits<double>::infinity(), what + ", zero");
+        else check_near(found[lane] / expected, 1., 2e-16 * double(n) * expected, what);
+      }
+    }
+  }
+}
+
 int main()
 {
   prescribed_singular_values();
+  lanes_of_packs();
   special_triangles();
   return result();
 }

@@ -122,17 +122,6 @@ void copy_lane(const Estimation<numeric::Pack<FT, lanes>>& from, int i, Estimati
   copy(from.standard_errors.coefficients, to.standard_errors.coefficients);
 }
 
-/// The factor R of one lane, for its condition number.
-template <class FT, int lanes>
-numeric::Upper_triangle<FT> lane(const numeric::Upper_triangle<numeric::Pack<FT, lanes>>& r, int lane)
-{
-  numeric::Upper_triangle<FT> result;
-  result.resize(r.size());
-  for (std::size_t j = 0; j < r.size(); ++j)
-    for (std::size_t i = 0; i <= j; ++i) result(i, j) = r(i, j)[lane];
-  return result;
-}
-
 /// Fits a form to every row of a block. With the default solver it takes as many rows at a time as a register holds
 /// numbers; rows whose rank is in doubt are left to the scalar path. Each thread has a copy.
 template <class DataKernel, class LocalKernel, class SvdTraits>
@@ -193,15 +182,17 @@ private:
 
     const auto pca = [](const Samples<Pack>& samples) { return fitting_basis(samples); };
     const Estimation<Pack> estimation = estimate(std::move(m_samples), m_d, m_dprime, pca, m_solver, m_options);
+    const Pack condition_number =
+        m_options.report_quality ? numeric::condition_number(estimation.solution.r) : Pack(FT(0));
     for (std::size_t i = 0; i < count; ++i) {
       const Index* points = block.begin(row[i]);
       if (!estimation.solution.trusted[int(i)]) {
         fits[row[i]] = fit(points, block.end(row[i]));
         continue;
       }
-      const auto condition_number = [&] { return numeric::condition_number(lane(estimation.solution.r, int(i))); };
       copy_lane(estimation, int(i), m_lane);
-      set(fits[row[i]], m_lane, block.length(row[i]), condition_number, m_points[*points]);
+      const auto known = [&] { return condition_number[int(i)]; };
+      set(fits[row[i]], m_lane, block.length(row[i]), known, m_points[*points]);
     }
   }
 
