@@ -215,6 +215,7 @@ void check_bad_input()
   write("words.ply", "hello\n");
   write("fan.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   write("twisted.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 0 1 3\n");
+  write("butterfly.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
   write("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
   write("mesh.unknown", whole);
   check_refused("cut_in_points.off", "cut short");
@@ -225,7 +226,8 @@ void check_bad_input()
   check_refused("words.ply", "malformed");
   check_refused("fan.off", "between vertices 0 and 1 belongs to 3 faces");
   check_refused("twisted.off", "not oriented");
-  check_refused("index.off", "malformed");
+  check_refused("butterfly.off", "several fans of faces meet in vertex 0");
+  check_refused("index.off", "face 0 refers to vertex 7 of 3");
   check_refused("mesh.unknown", "unknown format");
   check_refused("missing.off", "no such file");
 }

@@ -7,9 +7,10 @@
 #ifndef CGAL_EXAMPLES_JET_FITTING_3_TOOL_BYTES_H
 #define CGAL_EXAMPLES_JET_FITTING_3_TOOL_BYTES_H
 
+#include <cstddef>
 #include <cstring>
 #include <ostream>
-#include <string>
+#include <vector>
 
 namespace tool {
 
@@ -17,7 +18,7 @@ namespace tool {
 class Bytes
 {
 public:
-  explicit Bytes(std::ostream& out) : m_out(out) { m_bytes.reserve(limit + 4096); }
+  explicit Bytes(std::ostream& out) : m_out(out), m_bytes(1 << 20) {}
   Bytes(const Bytes&) = delete;
   Bytes& operator=(const Bytes&) = delete;
   ~Bytes() { flush(); }
@@ -25,23 +26,21 @@ public:
   template <class Number>
   void add(Number x)
   {
-    char raw[sizeof(Number)];
-    std::memcpy(raw, &x, sizeof(Number));
-    m_bytes.append(raw, sizeof(Number));
-    if (m_bytes.size() >= limit) flush();
+    if (m_bytes.size() - m_size < sizeof(Number)) flush();
+    std::memcpy(m_bytes.data() + m_size, &x, sizeof(Number));
+    m_size += sizeof(Number);
   }
 
 private:
-  static constexpr std::size_t limit = 1 << 20;
-
   void flush()
   {
-    m_out.write(m_bytes.data(), std::streamsize(m_bytes.size()));
-    m_bytes.clear();
+    m_out.write(m_bytes.data(), std::streamsize(m_size));
+    m_size = 0;
   }
 
   std::ostream& m_out;
-  std::string m_bytes;
+  std::vector<char> m_bytes;
+  std::size_t m_size = 0;
 };
 
 inline bool is_little_endian()

@@ -9,6 +9,7 @@
 
 #include "Surface.h"
 #include "extension.h"
+#include "read_plain_off.h"
 #include "why_not_a_mesh.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -97,14 +98,15 @@ inline Mesh read_mesh(const std::string& file)
 {
   std::vector<Point> points;
   std::vector<Corners> faces;
-  if (!CGAL::IO::read_polygon_soup(file, points, faces))
-    throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
-  for (const Corners& corners : faces)
-    if (corners.size() < 3 ||
-        std::any_of(corners.begin(), corners.end(), [&](std::size_t c) { return c >= points.size(); }))
-      throw Input_error(file, why_not_a_mesh(points.size(), faces));
-  if (!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(faces))
-    throw Input_error(file, why_not_a_mesh(points.size(), faces));
+  bool is_read = extension(file) == "off" && read_plain_off(file, points, faces);
+  if (!is_read) {
+    points.clear();
+    faces.clear();
+    is_read = CGAL::IO::read_polygon_soup(file, points, faces);
+  }
+  if (!is_read) throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+  const std::string why_not = why_not_a_mesh(points.size(), faces);
+  if (!why_not.empty()) throw Input_error(file, why_not);
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, mesh);
   return mesh;

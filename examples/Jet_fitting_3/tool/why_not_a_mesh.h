@@ -9,42 +9,96 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tool {
 
 using Corners = std::vector<std::size_t>;
 
-// Says why faces given by the numbers of their corners are not an oriented manifold.
+// What is wrong with a face, given by the numbers of its corners, by itself; empty if nothing is.
+inline std::string why_not_a_face(std::size_t number_of_points, const Corners& corners)
+{
+  if (corners.size() < 3) return "has fewer than 3 corners";
+  for (auto a = corners.begin(); a != corners.end(); ++a) {
+    if (*a >= number_of_points)
+      return "refers to vertex " + std::to_string(*a) + " of " + std::to_string(number_of_points);
+    if (std::find(corners.begin(), a, *a) != a) return "has vertex " + std::to_string(*a) + " as a corner twice";
+  }
+  return "";
+}
+
+// The corners of a face next to the one at a vertex.
+struct Wedge
+{
+  std::size_t before, after;
+};
+
+// Whether the faces at a vertex, whose wedges this sorts, are one fan, open or closed.
+inline bool is_fan(Wedge* begin, Wedge* end)
+{
+  const auto is_before = [](const Wedge& a, const Wedge& b) { return a.before < b.before; };
+  std::sort(begin, end, is_before);
+  const auto next = [&](const Wedge* w) -> Wedge* {
+    Wedge* found = std::lower_bound(begin, end, Wedge{w->after, 0}, is_before);
+    return found != end && found->before == w->after ? found : nullptr;
+  };
+  const auto is_same = [](const Wedge& a, const Wedge& b) { return a.before == b.before; };
+  if (std::adjacent_find(begin, end, is_same) != end) return false;
+  // in a closed fan every wedge follows another, in an open fan all but one
+  const std::ptrdiff_t all = end - begin;
+  std::vector<char> follows(static_cast<std::size_t>(all), 0);
+  for (const Wedge* w = begin; w != end; ++w)
+    if (const Wedge* follower = next(w)) follows[static_cast<std::size_t>(follower - begin)] = 1;
+  const Wedge* const first = begin + (std::find(follows.begin(), follows.end(), 0) - follows.begin()) % all;
+  std::ptrdiff_t size = 0;
+  for (const Wedge* w = first; w != nullptr && size < all && (size == 0 || w != first); w = next(w)) ++size;
+  return size == all;
+}
+
+// Why the faces at a vertex are not one fan.
+inline std::string why_not_a_fan(std::size_t vertex, const Wedge* begin, const Wedge* end)
+{
+  std::vector<std::size_t> in, out;
+  for (const Wedge* w = begin; w != end; ++w) {
+    in.push_back(w->before);
+    out.push_back(w->after);
+  }
+  for (auto* others : {&in, &out}) {
+    std::sort(others->begin(), others->end());
+    const auto twice = std::adjacent_find(others->begin(), others->end());
+    if (twice == others->end()) continue;
+    const std::size_t other = *twice;
+    const std::string edge = "the edge between vertices " + std::to_string((std::min)(vertex, other)) + " and " +
+                             std::to_string((std::max)(vertex, other));
+    const auto faces =
+        std::count_if(begin, end, [other](const Wedge& w) { return w.before == other || w.after == other; });
+    if (faces > 2) return "not a manifold: " + edge + " belongs to " + std::to_string(faces) + " faces";
+    return "not oriented: the two faces at " + edge + " have opposite orientations";
+  }
+  return "not a manifold: several fans of faces meet in vertex " + std::to_string(vertex);
+}
+
+// Says why faces given by the numbers of their corners are not an oriented manifold; empty if they are one.
 inline std::string why_not_a_mesh(std::size_t number_of_points, const std::vector<Corners>& faces)
 {
-  using Edge = std::pair<std::size_t, std::size_t>;
-  std::map<Edge, std::size_t> directed;
+  std::vector<std::size_t> ends(number_of_points + 1, 0);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Corners& corners = faces[f];
-    const std::string name = "face " + std::to_string(f);
-    if (corners.size() < 3) return name + " has fewer than 3 corners";
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::size_t a = corners[i], b = corners[(i + 1) % corners.size()];
-      if (a >= number_of_points)
-        return name + " refers to vertex " + std::to_string(a) + " of " + std::to_string(number_of_points);
-      if (std::count(corners.begin(), corners.end(), a) > 1)
-        return name + " has vertex " + std::to_string(a) + " as a corner twice";
-      ++directed[{a, b}];
-    }
+    const std::string why = why_not_a_face(number_of_points, faces[f]);
+    if (!why.empty()) return "face " + std::to_string(f) + ' ' + why;
+    for (const std::size_t corner : faces[f]) ++ends[corner + 1];
   }
-  for (const auto& [edge, count] : directed) {
-    const auto opposite = directed.find({edge.second, edge.first});
-    const std::size_t all = count + (opposite == directed.end() ? 0 : opposite->second);
-    const std::string name =
-        "the edge between vertices " + std::to_string(edge.first) + " and " + std::to_string(edge.second);
-    if (all > 2) return "not a manifold: " + name + " belongs to " + std::to_string(all) + " faces";
-    if (count > 1) return "not oriented: the two faces at " + name + " have opposite orientations";
+  for (std::size_t v = 0; v < number_of_points; ++v) ends[v + 1] += ends[v];
+  std::vector<Wedge> wedges(ends.back()); // those of one vertex after those of another
+  for (const Corners& corners : faces)
+    for (std::size_t i = 0, n = corners.size(); i < n; ++i)
+      wedges[ends[corners[i]]++] = {corners[(i + n - 1) % n], corners[(i + 1) % n]};
+  for (std::size_t v = 0; v < number_of_points; ++v) {
+    Wedge* const begin = wedges.data() + (v == 0 ? 0 : ends[v - 1]);
+    Wedge* const end = wedges.data() + ends[v];
+    if (begin != end && !is_fan(begin, end)) return why_not_a_fan(v, begin, end);
   }
-  return "not a manifold: several fans of faces meet in one vertex, or the last faces are damaged";
+  return "";
 }
 
 } // namespace tool
