@@ -6,8 +6,11 @@
 
 // Single fits by the Monge_via_jet_fitting.h found first in the include path: ours or CGAL's own. `checksum` is the sum
 // of all Monge coefficients of all fits, of the second and third order: equal for both, or it is no comparison.
+// usage: fits_per_second [options of Google Benchmark] | --answers=<file to write them to>
 
-#include <CGAL/Simple_cartesian.h>
+#include "answers.h"
+#include "fit_samples.h"
+
 #include <CGAL/Monge_via_jet_fitting.h>
 
 #include <benchmark/benchmark.h>
@@ -15,46 +18,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <string>
 #include <vector>
 
-using Kernel = CGAL::Simple_cartesian<double>;
 using Fit = CGAL::Monge_via_jet_fitting<Kernel>;
-using Samples = std::vector<Kernel::Point_3>;
 
-// Neighbourhoods of 256 points of a graph, n points at random within a disc of radius 0.1 around each.
-std::vector<Samples> neighborhoods(std::size_t n)
+struct Case
 {
-  const auto height = [](double x, double y) { return std::sin(2 * x + y) + 0.5 * std::cos(3 * y - x); };
-  std::mt19937 random(1);
-  const auto uniform = [&random](double low, double high) {
-    return low + (high - low) * (double(random()) / double(std::mt19937::max()));
-  };
-  std::vector<Samples> result(256);
-  for (Samples& samples : result) {
-    const double x0 = uniform(-1, 1), y0 = uniform(-1, 1);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double radius = i == 0 ? 0 : 0.1 * std::sqrt(uniform(0, 1)), angle = uniform(0, 6.283185307179586);
-      const double x = x0 + radius * std::cos(angle), y = y0 + radius * std::sin(angle);
-      samples.emplace_back(x, y, height(x, y));
-    }
-  }
-  return result;
-}
+  std::size_t d, dprime, points;
+};
 
-void fit(benchmark::State& state, bool condition_number)
+const Case cases[] = {{2, 2, 19}, {3, 3, 37}, {4, 4, 40}, {4, 2, 40}, {6, 4, 56}, {8, 4, 90}}; // CGAL's d' is at most 4
+
+void fit(benchmark::State& state, const Case& c, bool condition_number)
 {
-  const std::size_t d = std::size_t(state.range(0)), dprime = std::size_t(state.range(1));
-  const std::vector<Samples> sets = neighborhoods(std::size_t(state.range(2)));
+  const std::vector<Samples> sets = neighborhoods(c.points);
   double checksum = 0, condition_numbers = 0;
   for (auto _ : state) {
     checksum = condition_numbers = 0;
     for (const Samples& samples : sets) {
       Fit fit;
-      const Fit::Monge_form form = fit(samples.begin(), samples.end(), d, dprime);
-      for (std::size_t i = 0; i < std::min(form.coefficients().size(), std::size_t(6)); ++i)
-        checksum += std::abs(form.coefficients()[i]); // d1 and -d1 are both right
+      const Fit::Monge_form form = fit(samples.begin(), samples.end(), c.d, c.dprime);
+      const auto& coefficients = form.coefficients(); // CGAL's returns a copy
+      for (std::size_t i = 0; i < std::min(coefficients.size(), std::size_t(6)); ++i)
+        checksum += std::abs(coefficients[i]); // d1 and -d1 are both right
       if (condition_number) condition_numbers += fit.condition_number();
     }
     benchmark::DoNotOptimize(condition_numbers);
@@ -64,16 +51,31 @@ void fit(benchmark::State& state, bool condition_number)
   state.counters["checksum"] = checksum;
 }
 
+void write_answers(const std::string& path)
+{
+  Answers_writer write(path);
+  for (const Case& c : cases)
+    for (const Samples& samples : neighborhoods(c.points)) {
+      Fit fit;
+      write("fit " + std::to_string(c.d) + ' ' + std::to_string(c.dprime) + ' ' + std::to_string(c.points),
+            fit(samples.begin(), samples.end(), c.d, c.dprime));
+    }
+}
+
 int main(int argc, char** argv)
 {
-  for (const bool condition_number : {false, true}) {
-    auto* const benchmark =
-        benchmark::RegisterBenchmark(condition_number ? "fit_and_condition_number" : "fit", fit, condition_number);
-    benchmark->ArgNames({"d", "dprime", "points"})->Unit(benchmark::kMicrosecond)->MinTime(0.1);
-    for (const auto& c :
-         std::vector<std::vector<int64_t>>{{2, 2, 19}, {3, 3, 37}, {4, 4, 40}, {4, 2, 40}, {6, 6, 56}, {8, 8, 90}})
-      benchmark->Args(c);
+  const std::string answers = answers_path(argc, argv);
+  if (!answers.empty()) {
+    write_answers(answers);
+    return 0;
   }
+  for (const bool condition_number : {false, true})
+    for (const Case& c : cases) {
+      const std::string name = std::string(condition_number ? "fit_and_condition_number" : "fit") +
+                               "/d:" + std::to_string(c.d) + "/dprime:" + std::to_string(c.dprime) +
+                               "/points:" + std::to_string(c.points);
+      benchmark::RegisterBenchmark(name.c_str(), fit, c, condition_number)->Unit(benchmark::kMicrosecond)->MinTime(0.1);
+    }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -7,6 +7,8 @@
 #ifndef CGAL_BENCHMARK_JET_FITTING_3_MESH_JOB_H
 #define CGAL_BENCHMARK_JET_FITTING_3_MESH_JOB_H
 
+#include "answers.h"
+
 #include "../../test/Jet_fitting_3/analytic_meshes.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -38,7 +40,7 @@ using Forms = Mesh::Property_map<Vertex, Form>;
 
 struct Fit_of_rings
 {
-  int d, rings; // degree of the jet and of the Monge form; size of the neighbourhoods
+  int d, rings; // degree of the jet and of the Monge form; size of the neighborhoods
 };
 
 inline Mesh read_mesh(const std::string& path)
@@ -100,7 +102,7 @@ inline void report(benchmark::State& state, const Mesh& mesh, double checksum)
 
 // Times job(mesh, fit, forms) on forms that are empty each time.
 template <class Job>
-void time_job(benchmark::State& state, Mesh& mesh, const Fit_of_rings& fit, const Job& job)
+void time_job(benchmark::State& state, Mesh& mesh, const Fit_of_rings& fit, Job job)
 {
   Forms forms = mesh.add_property_map<Vertex, Form>("v:form").first;
   double sum = 0;
@@ -144,19 +146,56 @@ private:
   Mesh m_mesh;
 };
 
+constexpr Fit_of_rings fits_of_rings[] = {{2, 2}, {3, 3}, {4, 3}};
+
+// What a job is timed by: one thread by its own processor time, which other programs do not change; several by the clock.
+enum class Timed_by
+{
+  processor,
+  clock
+};
+
 // One benchmark for each mesh and degree, named <prefix>/<mesh>/d:<degree>.
 template <class Job>
-void add_mesh_jobs(const std::string& prefix, Meshes& meshes, const std::vector<std::string>& names, const Job& job)
+void add_mesh_jobs(const std::string& prefix, Meshes& meshes, const std::vector<std::string>& names, Job job,
+                   Timed_by timed_by = Timed_by::processor)
 {
   for (const std::string& name : names)
-    for (const Fit_of_rings fit : {Fit_of_rings{2, 2}, Fit_of_rings{3, 3}, Fit_of_rings{4, 3}})
-      benchmark::RegisterBenchmark((prefix + '/' + name + "/d:" + std::to_string(fit.d)).c_str(),
-                                   [&meshes, name, fit, job](benchmark::State& state) {
-                                     time_job(state, meshes(name), fit, job);
-                                   })
-          ->Unit(benchmark::kMillisecond)
-          ->UseRealTime()
-          ->MinTime(0.2);
+    for (const Fit_of_rings& fit : fits_of_rings) {
+      auto* const benchmark =
+          benchmark::RegisterBenchmark((prefix + '/' + name + "/d:" + std::to_string(fit.d)).c_str(),
+                                       [&meshes, name, fit, job](benchmark::State& state) {
+                                         time_job(state, meshes(name), fit, job);
+                                       });
+      benchmark->Unit(benchmark::kMillisecond)->MinTime(0.2);
+      if (timed_by == Timed_by::clock) benchmark->UseRealTime();
+    }
 }
+
+// The forms of all vertices, for all degrees.
+template <class Job>
+void write_mesh_answers(const std::string& path, Meshes& meshes, const std::vector<std::string>& names, Job job)
+{
+  Answers_writer write(path);
+  for (const std::string& name : names)
+    for (const Fit_of_rings& fit : fits_of_rings) {
+      Mesh& mesh = meshes(name);
+      Forms forms = mesh.add_property_map<Vertex, Form>("v:form").first;
+      job(mesh, fit, forms);
+      for (const Vertex v : mesh.vertices())
+        write("mesh " + name + ' ' + std::to_string(fit.d) + ' ' + std::to_string(fit.rings), forms[v]);
+      mesh.remove_property_map(forms);
+    }
+}
+
+// The part that all programs for meshes have in common: the folder of CGAL's data is the last argument, if there is one.
+inline std::string data_folder(int argc, char** argv)
+{
+  const std::string last = argc > 1 ? argv[argc - 1] : "-";
+  return last[0] == '-' ? CGAL::data_file_path("") : last;
+}
+
+// The meshes whose answers are compared.
+const std::vector<std::string> compared_meshes{"armadillo", "torus_10000"};
 
 #endif // CGAL_BENCHMARK_JET_FITTING_3_MESH_JOB_H

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A Monge form at every vertex by estimate_vertex_monge_forms(): with one thread and with two, on meshes of 10 thousand
-// to a million vertices, in natural and in random order; and gathering the neighbourhoods alone.
-// usage: mesh_throughput [options of Google Benchmark] [folder of CGAL's data]
+// to a million vertices, in natural and in random order; and gathering the neighborhoods alone.
+// usage: mesh_throughput [options of Google Benchmark | --answers=<file to write them to>] [folder of CGAL's data]
 
 #include "mesh_job.h"
 
@@ -41,8 +41,13 @@ void gather_alone(benchmark::State& state, Mesh& mesh, int rings)
 
 int main(int argc, char** argv)
 {
+  Meshes meshes(data_folder(argc, argv));
+  const std::string answers = answers_path(argc, argv);
+  if (!answers.empty()) {
+    write_mesh_answers(answers, meshes, compared_meshes, estimate<CGAL::Sequential_tag>);
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
-  Meshes meshes(argc > 1 ? argv[1] : CGAL::data_file_path(""));
   add_mesh_jobs("mesh", meshes, {"armadillo", "torus_10000", "torus_100000", "torus_1000000"},
                 estimate<CGAL::Sequential_tag>);
   add_mesh_jobs("mesh", meshes, {"torus_100000_shuffled", "torus_1000000_shuffled"}, estimate<CGAL::Sequential_tag>);
@@ -54,11 +59,13 @@ int main(int argc, char** argv)
         ->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
   for (const std::size_t threads : {1, 2})
-    add_mesh_jobs("threads_" + std::to_string(threads), meshes, {"torus_100000", "torus_1000000"},
-                  [threads](Mesh& mesh, const Fit_of_rings& fit, Forms& forms) {
-                    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-                    estimate<CGAL::Parallel_tag>(mesh, fit, forms);
-                  });
+    add_mesh_jobs(
+        "threads_" + std::to_string(threads), meshes, {"torus_100000", "torus_1000000"},
+        [threads](Mesh& mesh, const Fit_of_rings& fit, Forms& forms) {
+          const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+          estimate<CGAL::Parallel_tag>(mesh, fit, forms);
+        },
+        Timed_by::clock);
 #endif
   benchmark::RunSpecifiedBenchmarks();
 }

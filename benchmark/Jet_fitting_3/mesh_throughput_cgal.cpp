@@ -7,7 +7,7 @@
 // A Monge form at every vertex the way users of CGAL's class do it, following CGAL's example Ridges_Umbilics_SM: its
 // headers PolyhedralSurf_rings.h and compute_normals.h gather and orient (compile with their folder in the include
 // path), and CGAL's own header fits.
-// usage: mesh_throughput_cgal [options of Google Benchmark] [folder of CGAL's data]
+// usage: mesh_throughput_cgal [options of Google Benchmark | --answers=<file to write them to>] [folder of CGAL's data]
 
 #include "mesh_job.h"
 
@@ -36,8 +36,13 @@ void estimate_by_example(Mesh& mesh, const Fit_of_rings& fit, Forms& forms)
 
 int main(int argc, char** argv)
 {
+  Meshes meshes(data_folder(argc, argv));
+  const std::string answers = answers_path(argc, argv);
+  if (!answers.empty()) {
+    write_mesh_answers(answers, meshes, compared_meshes, estimate_by_example);
+    return 0;
+  }
   benchmark::Initialize(&argc, argv);
-  Meshes meshes(argc > 1 ? argv[1] : CGAL::data_file_path(""));
-  add_mesh_jobs("mesh", meshes, {"armadillo", "torus_10000", "torus_100000"}, estimate_by_example);
+  add_mesh_jobs("mesh", meshes, compared_meshes, estimate_by_example);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -1,41 +1,100 @@
 #!/bin/sh
-# Ours and CGAL's class side by side: builds fits_per_second and mesh_throughput with both, runs them in turn, and prints
-# medians and their ratios as tables.
+# Ours and CGAL's side by side: builds the same programs with both, compares all their answers, runs them in turn, and
+# prints medians and ratios as tables: single fits, normals of points, whole meshes, many vertices, two threads, and CGAL 6's
+# interpolated corrected curvatures.
 #
-#   sh side_by_side.sh <CGAL's data folder> <CGAL's examples folder> [runs]
+#   sh side_by_side.sh          everything: about a quarter of an hour
+#   sh side_by_side.sh quick    a first look: one run, no large meshes, no CGAL 6
 #
-# CXX, CXXFLAGS (-O3 -DNDEBUG) and EIGEN3_INCLUDE are respected. FILTER is a regular expression for the benchmarks.
-# Columns: microseconds per fit or vertex, ours and CGAL's; their ratio; the relative difference of the checksums.
+# Variables, with their defaults:
+#   CXX=c++  CXXFLAGS="-O3 -DNDEBUG"
+#   RUNS=5                    interleaved runs (quick: 1)
+#   FILTER=.                  regular expression for the names of benchmarks
+#   RUN=                      a command to start programs with, such as "taskset -c 0"
+#   CGAL_6=sid                release of Debian whose CGAL is unpacked for surface_peers (scripts/fetch_cgal.sh); none: left out
+#   BUILD_DIR=<root>/build    programs are built in its folder side_by_side; CMAKE_ARGUMENTS are added for cmake
+# Needs CMake, Google Benchmark and CGAL with its examples and data (Debian: libbenchmark-dev libcgal-dev libcgal-demo).
+# One thread is timed by its processor time, two by the clock. Columns: microseconds per fit, vertex or point; CGAL's over
+# ours; how far the checksums differ.
 set -eu
-data=$1
-examples=$2
-runs=${3:-5}
+mode=${1:-full}
+case $mode in
+  full) runs=${RUNS:-5} filter=${FILTER:-.} ;;
+  quick) runs=${RUNS:-1} filter=${FILTER:-'^fit/|armadillo/d|^points'} ;;
+  *) echo "usage: side_by_side.sh [quick]" >&2 && exit 2 ;;
+esac
 here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+root=$(cd "$here/../.." && pwd)
+build=${BUILD_DIR:-$root/build}
+compiler=${CXX:-c++}
+flags=${CXXFLAGS:--O3 -DNDEBUG}
+work=$build/side_by_side/$(echo "$(basename "$compiler") $flags" | tr -cs 'A-Za-z0-9=+\n' _)
+mkdir -p "$work"
+results=$work/results.csv
+: > "$results"
 
-build="${CXX:-c++} -std=c++17 ${CXXFLAGS:--O3 -DNDEBUG} -DCGAL_EIGEN3_ENABLED -DCGAL_DATA_DIR=\"\""
-theirs="-isystem ${EIGEN3_INCLUDE:-/usr/include/eigen3}"
-ours="-I$here/../../include $theirs"
-libraries="-lbenchmark -lpthread -lgmp -lmpfr"
-# shellcheck disable=SC2086
-{
-  $build $ours "$here/fits_per_second.cpp" -o "$work/fits_ours" $libraries
-  $build $theirs "$here/fits_per_second.cpp" -o "$work/fits_cgal" $libraries
-  $build $ours -DCGAL_LINKED_WITH_TBB "$here/mesh_throughput.cpp" -o "$work/mesh_ours" $libraries -ltbb
-  $build $theirs "-I$examples/Ridges_3" "$here/mesh_throughput_cgal.cpp" -o "$work/mesh_cgal" $libraries
+# programs <folder> "<target>..." <arguments of cmake>...: builds them there.
+programs() {
+  folder=$1
+  targets=$2
+  shift 2
+  # shellcheck disable=SC2086
+  {
+    cmake -S "$here" -B "$folder" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
+      -DCMAKE_CXX_FLAGS_RELEASE="$flags" ${CMAKE_ARGUMENTS:-} "$@" && cmake --build "$folder" --target $targets
+  } > "$folder.log" 2>&1 || {
+    tail -n 20 "$folder.log" >&2
+    echo "side_by_side.sh: the programs cannot be built; the log is $folder.log" >&2
+    exit 1
+  }
+}
+
+echo "building with $compiler $flags" >&2
+sides='fits_per_second_ours fits_per_second_cgal point_normals_ours point_normals_cgal mesh_throughput mesh_throughput_cgal'
+programs "$work/cgal" "$sides compare_answers"
+data=$(sed -n 's/^CGAL_DATA_DIR:[A-Z]*=//p' "$work/cgal/CMakeCache.txt")
+
+# CGAL 6, where it can be had.
+peers=
+suite=${CGAL_6:-sid}
+if [ "$mode" = full ] && [ "$suite" != none ]; then
+  if unpacked=$(BUILD_DIR=$build sh "$root/scripts/fetch_cgal.sh" "$suite"); then
+    programs "$work/cgal-$suite" surface_peers "-DCGAL_DIR=$(dirname "$(find "$unpacked/usr" -name CGALConfig.cmake)")" \
+      "-DEigen3_DIR=$(dirname "$(find "$unpacked/usr" -name Eigen3Config.cmake)")" "-DCGAL_DATA_DIR=$data"
+    peers=surface_peers
+  else
+    echo "side_by_side.sh: without CGAL 6 there are no interpolated corrected curvatures to compare with" >&2
+  fi
+fi
+
+if [ "$mode" = full ]; then
+  echo "answers" >&2
+  for pair in fits_per_second_ours:fits_per_second_cgal mesh_throughput:mesh_throughput_cgal; do
+    "$work/cgal/${pair%:*}" "--answers=$work/ours.answers" "$data"
+    "$work/cgal/${pair#*:}" "--answers=$work/cgal.answers" "$data"
+    "$work/cgal/compare_answers" "$work/ours.answers" "$work/cgal.answers" "$data"
+    echo
+  done
+  rm "$work/ours.answers" "$work/cgal.answers"
+fi
+
+# timed <side> <program>: its rows are added to the results.
+timed() {
+  # shellcheck disable=SC2086
+  ${RUN:-} "$2" "--benchmark_filter=$filter" --benchmark_format=csv "$data" 2>> "$work/log" | sed "s/^/$1,/" >> "$results"
 }
 
 run=0
 while [ "$run" -lt "$runs" ]; do
   run=$((run + 1))
   echo "run $run of $runs" >&2
-  for program in fits mesh; do
-    for side in ours cgal; do
-      "$work/${program}_$side" "--benchmark_filter=${FILTER:-.}" --benchmark_format=csv "$data" 2>> "$work/log" |
-        sed "s/^/$side,/" >> "$work/results.csv"
-    done
+  for program in fits_per_second point_normals mesh_throughput; do
+    ours=${program}_ours
+    [ "$program" != mesh_throughput ] || ours=$program
+    timed ours "$work/cgal/$ours"
+    timed cgal "$work/cgal/${program}_cgal"
   done
+  [ -z "$peers" ] || timed ours "$work/cgal-$suite/$peers"
 done
 
 # The columns of the counters are named in a header line before each run's rows.
@@ -45,6 +104,10 @@ awk -F, -v runs="$runs" '
     for (i = 2; i <= n; ++i)
       for (j = i; j > 1 && values[j - 1] + 0 > values[j] + 0; --j) { t = values[j]; values[j] = values[j - 1]; values[j - 1] = t }
     return n % 2 ? values[(n + 1) / 2] : (values[n / 2] + values[n / 2 + 1]) / 2
+  }
+  function time_of(side, name) { return (side, name) in times ? median(times[side, name]) : 0 }
+  function ratio(text, slower, faster) {
+    if (slower > 0 && faster > 0) printf "%s: %.2f\n", text, slower / faster
   }
   { gsub(/"/, "") }
   $2 == "name" {
@@ -65,14 +128,31 @@ awk -F, -v runs="$runs" '
     print "|---|---|---|---|---|"
     for (i = 1; i <= count; ++i) {
       name = names[i]
-      ours = median(times["ours", name])
+      ours = time_of("ours", name)
+      theirs = time_of("cgal", name)
       line = sprintf("| %s | %.3f |", name, ours)
-      if (("cgal", name) in times) {
-        theirs = median(times["cgal", name])
+      if (theirs > 0) {
         difference = checksum["ours", name] / checksum["cgal", name] - 1
         line = line sprintf(" %.2f | %.1f | %.1e |", theirs, theirs / ours, difference < 0 ? -difference : difference)
       }
       else line = line " | | |"
       print line
     }
-  }' "$work/results.csv"
+    print ""
+    ratio("a form of order 4 over one of order 2, degree 4", time_of("ours", "fit/d:4/dprime:4/points:40"),
+          time_of("ours", "fit/d:4/dprime:2/points:40"))
+    for (d = 2; d <= 4; ++d) {
+      for (n = 100000; n <= 1000000; n *= 10) {
+        torus = "torus_" n
+        ratio("degree " d ", " n " vertices: one thread over two", time_of("ours", "threads_1/" torus "/d:" d),
+              time_of("ours", "threads_2/" torus "/d:" d))
+        ratio("degree " d ", " n " vertices: a vertex over one of 10000", time_of("ours", "mesh/" torus "/d:" d),
+              time_of("ours", "mesh/torus_10000/d:" d))
+        ratio("degree " d ", " n " vertices: shuffled over natural order",
+              time_of("ours", "mesh/" torus "_shuffled/d:" d), time_of("ours", "mesh/" torus "/d:" d))
+      }
+    }
+    for (ball = 0; ball <= 2; ball += 2)
+      ratio("interpolated corrected curvatures, ball of " ball " edges, over forms of degree 2",
+            time_of("ours", "interpolated_corrected_curvatures/ball:" ball), time_of("ours", "monge_forms/d:2/rings:2"))
+  }' "$results"
