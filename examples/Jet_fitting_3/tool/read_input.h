@@ -139,9 +139,12 @@ try {
     throw Input_error(file, "VTP files cannot be read: this program was compiled without VTK");
 #endif
   } else {
-    throw Input_error(file, "unknown format '" + format +
-                                "': meshes are read from off, obj, ply, stl and vtp files, "
-                                "points from xyz, pwn, off, ply and las files");
+    const std::string known =
+        "meshes are read from off, obj, ply, stl and vtp files, points from xyz, pwn, off, ply and "
+        "las files";
+    throw Input_error(file, (format.empty() ? "no extension that would tell the format: "
+                                            : "unknown format '" + format + "': ") +
+                                known);
   }
   if (mesh.number_of_vertices() == 0) throw Input_error(file, "no vertices and no points");
   return mesh;

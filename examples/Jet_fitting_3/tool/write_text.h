@@ -12,27 +12,34 @@
 #include "Surface.h"
 #include "estimate.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace tool {
 
-// A line for each vertex, after a line of names, with all digits.
+// A line for each vertex, after a line of names, with as many digits as tell its numbers from all others.
 inline void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Quantity>& quantities,
                       const std::vector<std::uint16_t>& statuses)
 {
-  out.precision(17);
   out << "x,y,z";
   for (const Quantity& q : quantities)
     for (int c = 0; c < q.components; ++c) out << ',' << q.name_of(c);
   out << ",status\n";
+  std::string line;
+  const auto add = [&line](double value) {
+    char digits[32];
+    line.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr) += ',';
+  };
   for (Vertex v : mesh.vertices()) {
-    out << mesh.point(v).x() << ',' << mesh.point(v).y() << ',' << mesh.point(v).z();
+    line.clear();
+    for (int c = 0; c < 3; ++c) add(mesh.point(v)[c]);
     for (const Quantity& q : quantities)
-      for (int c = 0; c < q.components; ++c) out << ',' << q.value(v, c);
-    out << ',' << statuses[v] << '\n';
+      for (int c = 0; c < q.components; ++c) add(q.value(v, c));
+    out << line << statuses[v] << '\n';
   }
 }
 
