@@ -86,7 +86,13 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   const bool keeps_order = is_own || !options.point_weights.empty();
   const Setting setting(mesh, np, keeps_order ? Vertex_order::of_mesh : Vertex_order::spatial_if_scattered);
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
-  const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { setting.normals().orient(form, i); };
+  Normal_table normals;
+  Compact_mesh compact;
+  do_both<ConcurrencyTag>([&] { normals = setting.normals(np); },
+                          [&] {
+                            if constexpr (!is_own) compact = setting.compact(np);
+                          });
+  const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { normals.orient(form, i); };
 
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
   std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
@@ -109,10 +115,11 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     static_assert(std::is_invocable<const Neighborhood&, Mesh_growth<Kernel>&, Index, std::vector<Index>&>::value,
                   "The neighbourhood is none of k_rings, enough_rings, nearest, within_radius, and cannot be called as "
                   "neighborhood(vertex_descriptor, std::vector<vertex_descriptor>&)");
-    const Compact_mesh compact = setting.compact(np);
     run([&] {
-      return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(), setting.normals())](
-                 Index seed, std::vector<Index>& row) mutable { neighborhood(growth, seed, row); };
+      return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(),
+                                                          normals)](Index seed, std::vector<Index>& row) mutable {
+        neighborhood(growth, seed, row);
+      };
     });
   }
   summary.set_reports(std::move(statuses), std::move(qualities), make_range(vertices(mesh)),

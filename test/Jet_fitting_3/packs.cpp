@@ -216,7 +216,7 @@ Estimation<double> in_numbers(const Cloud& cloud, std::size_t d, bool pca, const
 
 bool abstains(const Cloud& cloud, std::size_t d, bool pca)
 {
-  return !in_packs<2>({&cloud, &cloud}, d, pca, {}).solution.trusted[0];
+  return !in_packs<2>({&cloud, &cloud}, d, pca, {}).fit.solution.trusted[0];
 }
 
 // The solution Y, whose error is bounded by the condition number; frames by themselves.
@@ -225,12 +225,12 @@ void check_lane(const Estimation<P>& packs, int lane, const Estimation<double>& 
                 const std::string& what)
 {
   double largest = 0, difference = 0;
-  for (std::size_t j = 0; j < numbers.solution.y.size(); ++j) {
-    largest = std::max(largest, std::abs(numbers.solution.y[j]));
-    const double d = std::abs(packs.solution.y[j][lane] - numbers.solution.y[j]);
+  for (std::size_t j = 0; j < numbers.fit.solution.y.size(); ++j) {
+    largest = std::max(largest, std::abs(numbers.fit.solution.y[j]));
+    const double d = std::abs(packs.fit.solution.y[j][lane] - numbers.fit.solution.y[j]);
     if (!(d <= difference)) difference = d;
   }
-  const double condition = numbers.condition_number(), residual = std::sqrt(numbers.solution.square_sum);
+  const double condition = numbers.condition_number(), residual = std::sqrt(numbers.fit.solution.square_sum);
   const double tilt = pca ? .1 : 0; // the axes of the PCA differ by rounding, and with them all heights
   check_le(difference, 1e-14 * condition * (largest + tilt + condition * residual), what + ": solution");
   const auto frame = [&](const auto& b, const char* name) {
@@ -277,7 +277,7 @@ void lanes_agree_with_numbers()
         const Sampling& sampling = all[chosen[i]];
         const std::string what =
             text(lanes) + " lanes, d = " + text(d) + ", trial " + text(trial) + ", " + sampling.name;
-        const bool trusts = packs.solution.trusted[int(i)];
+        const bool trusts = packs.fit.solution.trusted[int(i)];
         check_equal(trusts, !abstains(sampling.cloud, d, pca), what + ": doubt depends on the lane alone");
         const auto numbers = in_numbers(sampling.cloud, d, pca, {});
         if (numbers.rank() < number_of_jet_coefficients(d)) check_true(!trusts, what + ": deficient, and trusted");
@@ -314,7 +314,7 @@ void who_abstains()
   bad[5].y = std::numeric_limits<double>::quiet_NaN();
   const Cloud good = graph(30, random, 1, 1);
   const auto packs = in_packs<2>({&bad, &good}, 2, true, {});
-  check_true(!packs.solution.trusted[0] && packs.solution.trusted[1], "a lane with NaN abstains, alone");
+  check_true(!packs.fit.solution.trusted[0] && packs.fit.solution.trusted[1], "a lane with NaN abstains, alone");
   check_lane(packs, 1, in_numbers(good, 2, true, {}), true, "the lane beside NaN");
 }
 

@@ -121,11 +121,11 @@ public:
     const Place<Number> at = place(u, v);
     Estimation<Number> e{};
     e.fitting.axes = m_axes;
-    e.jet = jet_at(m_jet, at, degree());
-    e.origin = m_axes.out(Vector{at.u, at.v, e.jet(0, 0)});
-    const Monge_basis<Number> monge = monge_basis(e.jet, m_axes);
+    e.fit.jet = jet_at(m_jet, at, degree());
+    e.origin = m_axes.out(Vector{at.u, at.v, e.fit.jet(0, 0)});
+    const Monge_basis<Number> monge = monge_basis(e.fit.jet, m_axes);
     e.monge_axes = {m_axes.out(monge.axes.x), m_axes.out(monge.axes.y), m_axes.out(monge.axes.z)};
-    e.coefficients = monge_coefficients(e.jet, monge, dprime);
+    e.coefficients = monge_coefficients(e.fit.jet, monge, dprime);
     Monge_form form;
     measure_in_smaller_unit(e, m_unit);
     assign(form, e, m_p, L2D{});

@@ -54,8 +54,8 @@ public:
   /// Whether the rank is full.
   Fit_status status() const
   {
-    return rank() < number_of_jet_coefficients(m_details.jet.degree()) ? Fit_status::rank_deficient
-                                                                       : Fit_status::full_rank;
+    return rank() < number_of_jet_coefficients(m_details.fit.jet.degree()) ? Fit_status::rank_deficient
+                                                                           : Fit_status::full_rank;
   }
 
   /// Numerical rank of the system, N_d if the samples determine the jet.
@@ -76,18 +76,18 @@ public:
   }
 
   /// The fitted jet, in the fitting basis with p as origin.
-  const Jet<FT>& jet() const { return m_details.jet; }
+  const Jet<FT>& jet() const { return m_details.fit.jet; }
 
   /// Standard errors of the normal and of the coefficients of monge_form() as it was estimated, if asked for (else is_estimated is false).
   const Standard_errors<FT>& standard_errors() const { return m_details.standard_errors; }
 
   /// Under a robust loss the last weight of each sample, in the order of the range: near 0 for outliers. Else empty.
-  const numeric::Buffer<FT, 128>& robust_weights() const { return m_details.robust_weights; }
+  const numeric::Buffer<FT, 128>& robust_weights() const { return m_details.fit.robust_weights; }
 
   /// Whether there were 5 N_d samples, about what a robust loss needs to tell outliers from the surface.
   bool has_enough_samples_for_robust_loss() const
   {
-    return robust_weights().size() >= 5 * number_of_jet_coefficients(m_details.jet.degree());
+    return robust_weights().size() >= 5 * number_of_jet_coefficients(m_details.fit.jet.degree());
   }
 
   /// What the steps gave.

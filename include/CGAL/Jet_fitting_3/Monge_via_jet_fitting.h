@@ -159,6 +159,9 @@ public:
   static_assert(std::is_same<FT, typename SvdTraits::FT>::value,
                 "LocalKernel::FT and SvdTraits::FT must be the same type (section 4.3.5 of the paper)");
 
+  /// Nothing has been estimated yet.
+  Monge_via_jet_fitting() { m_last.fitting = {}; } // not all of m_last: compilers would fill its buffers with zeros
+
   /// Estimates at p = *begin from the points of [begin, end), in the basis of their PCA.
   ///
   /// \param begin the first of the points, p
@@ -272,7 +275,7 @@ private:
     return form(m_last, *first);
   }
 
-  Estimation<FT> m_last{};
+  Estimation<FT> m_last;
 };
 
 } // namespace Jet_fitting

@@ -28,24 +28,29 @@ namespace Jet_fitting {
 template <class FT>
 struct Estimation
 {
-  Fitting_basis<FT> fitting;                    ///< step 1, in world coordinates
-  Jet<FT> jet;                                  ///< step 2, in the fitting basis
-  Vector_3<FT> origin;                          ///< (0, 0, A_00) of the fitting basis, in world axes, relative to p
-  Basis_3<FT> monge_axes;                       ///< step 3: d1, d2, n, in world coordinates
-  Monge_coefficients<FT> coefficients;          ///< step 4
-  FT residual_rms;                              ///< root of the weighted mean of the squared residuals
-  numeric::Least_squares_solution<FT> solution; ///< of the preconditioned system, in the unit of the computation
+  Fitting_basis<FT> fitting;           ///< step 1, in world coordinates
+  Jet_fit<FT> fit;                     ///< step 2, in the fitting basis; its solution in the unit of the computation
+  Vector_3<FT> origin;                 ///< (0, 0, A_00) of the fitting basis, in world axes, relative to p
+  Basis_3<FT> monge_axes;              ///< step 3: d1, d2, n, in world coordinates
+  Monge_coefficients<FT> coefficients; ///< step 4
+  FT residual_rms;                     ///< root of the weighted mean of the squared residuals
+  Standard_errors<FT> standard_errors; ///< if asked for
 
-  numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample, near 0 for outliers; otherwise none
-  Standard_errors<FT> standard_errors;     ///< if asked for
+  Estimation() = default;
+
+  /// Step 1, and step 2 as fit_jet() gives it.
+  template <class Fit_jet>
+  Estimation(const Fitting_basis<FT>& basis, const Fit_jet& jet_fit) : fitting(basis), fit(jet_fit())
+  {}
 
   /// Numerical rank of the preconditioned system.
-  std::size_t rank() const { return solution.rank; }
+  std::size_t rank() const { return fit.solution.rank; }
 
   /// Ratio of the extreme singular values of the preconditioned system; infinite where the smallest is zero.
   /// Computed here unless the solver has found it already.
   FT condition_number() const
   {
+    const auto& solution = fit.solution;
     const bool is_known = solution.condition_number > FT(0) || solution.r.size() == 0;
     return is_known ? solution.condition_number : numeric::condition_number(solution.r);
   }
@@ -85,27 +90,22 @@ Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, 
 {
   const Fitting_basis<FT> fitting = make_fitting_basis(samples);
   const Basis_3<FT>& axes = fitting.axes;
-  Jet_fit<FT> fit = options.loss == Loss::least_squares ? fit_jet(samples, axes, degree, solver)
-                                                        : fit_jet_robustly(samples, axes, degree, options.loss, solver);
-  const Monge_basis<FT> monge = monge_basis(fit.jet, axes);
-  Monge_coefficients<FT> coefficients = monge_coefficients(fit.jet, monge, dprime);
+  Estimation<FT> e(fitting, [&] {
+    return options.loss == Loss::least_squares ? fit_jet(samples, axes, degree, solver)
+                                               : fit_jet_robustly(samples, axes, degree, options.loss, solver);
+  });
+  const Monge_basis<FT> monge = monge_basis(e.fit.jet, axes);
+  e.origin = e.fit.jet(0, 0) * axes.z;
+  e.monge_axes = {axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)};
+  e.coefficients = monge_coefficients(e.fit.jet, monge, dprime);
 
-  const Weight_sums<FT> sums = weight_sums(samples, fit.robust_weights);
-  Standard_errors<FT> errors;
+  const Weight_sums<FT> sums = weight_sums(samples, e.fit.robust_weights);
+  e.residual_rms = numeric::square_root(FT(e.fit.solution.square_sum / sums.weights));
   if (options.standard_errors) {
     const FT freedom = sums.number_of_samples - FT(double(number_of_jet_coefficients(degree)));
-    errors = standard_errors(fit, axes, dprime, freedom);
+    e.standard_errors = standard_errors(e.fit, axes, dprime, freedom);
   }
-  const Vector_3<FT> origin = fit.jet(0, 0) * axes.z;
-  return {fitting,
-          std::move(fit.jet),
-          origin,
-          {axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)},
-          std::move(coefficients),
-          numeric::square_root(FT(fit.solution.square_sum / sums.weights)),
-          std::move(fit.solution),
-          std::move(fit.robust_weights),
-          std::move(errors)};
+  return e;
 }
 
 /// \ingroup PkgJetFitting3Steps
@@ -126,7 +126,7 @@ void measure_in_smaller_unit(Estimation<FT>& e, const FT& factor)
   const FT inverse = FT(1) / factor;
   for (FT& variance : e.fitting.variances) variance = numeric::multiplied(variance, factor, 2);
   e.fitting.centroid = factor * e.fitting.centroid;
-  measure_in_smaller_unit(e.jet, factor);
+  measure_in_smaller_unit(e.fit.jet, factor);
   e.origin = factor * e.origin;
   rescale(e.coefficients, inverse);
   rescale(e.standard_errors.coefficients, inverse);

@@ -115,16 +115,16 @@ void demand_packs(const std::vector<Vector>& points, std::size_t d)
   };
   const auto p = CGAL::Jet_fitting::estimate(std::move(packs), d, d, in_world, pack_solver, {});
   const auto e = CGAL::Jet_fitting::estimate(std::move(numbers), d, d, in_world, solver, {});
-  if (!p.solution.trusted[0] || !p.solution.trusted[1] || e.rank() < number_of_jet_coefficients(d)) return;
+  if (!p.fit.solution.trusted[0] || !p.fit.solution.trusted[1] || e.rank() < number_of_jet_coefficients(d)) return;
   double largest = 0, difference = 0;
-  for (std::size_t j = 0; j < e.solution.y.size(); ++j) {
-    largest = (std::max)(largest, std::abs(e.solution.y[j]));
+  for (std::size_t j = 0; j < e.fit.solution.y.size(); ++j) {
+    largest = (std::max)(largest, std::abs(e.fit.solution.y[j]));
     for (const int lane : {0, 1})
-      difference = (std::max)(difference, std::abs(p.solution.y[j][lane] - e.solution.y[j]));
+      difference = (std::max)(difference, std::abs(p.fit.solution.y[j][lane] - e.fit.solution.y[j]));
   }
   const double condition = e.condition_number(), epsilon = std::numeric_limits<double>::epsilon();
   const double bound =
-      64 * epsilon * double(points.size()) * condition * (largest + condition * std::sqrt(e.solution.square_sum));
+      64 * epsilon * double(points.size()) * condition * (largest + condition * std::sqrt(e.fit.solution.square_sum));
   CGAL_FUZZ_DEMAND(difference <= bound + std::numeric_limits<double>::min());
 }
 

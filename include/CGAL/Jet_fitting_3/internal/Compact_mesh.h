@@ -38,6 +38,8 @@ public:
     std::size_t size() const { return std::size_t(last - first); }
   };
 
+  Compact_mesh() = default;
+
   /// \param owners the vertices whose copies are the nodes from n on
   /// \param for_each_edge(visit) calls visit(i, j) for every pair of adjacent nodes, in the same order each time
   template <class For_each_edge>
@@ -72,7 +74,7 @@ public:
   }
 
 private:
-  std::size_t m_vertices;
+  std::size_t m_vertices = 0;
   std::vector<Index> m_owners;
   std::vector<Index> m_row_begins;
   std::vector<Index> m_neighbors;

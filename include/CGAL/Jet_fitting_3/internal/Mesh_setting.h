@@ -64,7 +64,6 @@ public:
       m_number->reorder(permutation);
       m_points.reorder(permutation);
     }
-    m_normals = read_normals(np);
   }
 
   std::size_t size() const { return number().size(); }
@@ -96,7 +95,17 @@ public:
   }
 
   /// The normals of the mesh, or the given ones.
-  const Normal_table& normals() const { return m_normals; }
+  Normal_table normals(const NamedParameters& np) const
+  {
+    if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
+      return vertex_normals(m_mesh, number(), m_points);
+    } else {
+      const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+      Normal_table normals(size());
+      for (Index i = 0; i < size(); ++i) normals.set(i, get(normal_map, item(i)));
+      return normals;
+    }
+  }
 
 private:
   /// Whether most of the first edges of a large mesh join vertices that are far apart in its order.
@@ -120,22 +129,9 @@ private:
 
   const Numbering& number() const { return *m_number; }
 
-  Normal_table read_normals(const NamedParameters& np) const
-  {
-    if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
-      return vertex_normals(m_mesh, number(), m_points);
-    } else {
-      const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-      Normal_table normals(size());
-      for (Index i = 0; i < size(); ++i) normals.set(i, get(normal_map, item(i)));
-      return normals;
-    }
-  }
-
   const Mesh& m_mesh;
   std::shared_ptr<Numbering> m_number;
   Point_table<Kernel> m_points;
-  Normal_table m_normals;
 };
 
 } // namespace internal

@@ -31,7 +31,7 @@ Estimation_status assess(const Estimation<FT>& e)
     const FT k1 = e.coefficients[0], k2 = e.coefficients[1];
     const FT square_size = variances[0] + variances[1];
     const FT larger = numeric::larger(numeric::absolute(k1), numeric::absolute(k2));
-    const FT open = FT(3.0 * double(e.jet.degree())) * e.residual_rms / square_size + FT(1e-6) * larger;
+    const FT open = FT(3.0 * double(e.fit.jet.degree())) * e.residual_rms / square_size + FT(1e-6) * larger;
     const bool is_flat = !(larger > open), is_round = !(k1 - k2 > open) && !(FT(10) * (k1 - k2) > larger);
     if (is_flat || is_round) status |= Status_flag::near_umbilic;
   }

@@ -107,9 +107,9 @@ void copy_lane(const Estimation<numeric::Pack<FT, lanes>>& from, int i, Estimati
   };
   for (std::size_t j = 0; j < 3; ++j) to.fitting.variances[j] = from.fitting.variances[j][i];
   to.fitting.centroid = vector(from.fitting.centroid);
-  if (to.jet.degree() != from.jet.degree()) to.jet = Jet<FT>(from.jet.degree());
-  for (std::size_t k = 0; k <= from.jet.degree(); ++k)
-    for (std::size_t j = 0; j <= k; ++j) to.jet.part(k)[j] = from.jet.part(k)[j][i];
+  if (to.fit.jet.degree() != from.fit.jet.degree()) to.fit.jet = Jet<FT>(from.fit.jet.degree());
+  for (std::size_t k = 0; k <= from.fit.jet.degree(); ++k)
+    for (std::size_t j = 0; j <= k; ++j) to.fit.jet.part(k)[j] = from.fit.jet.part(k)[j][i];
   to.origin = vector(from.origin);
   to.monge_axes = {vector(from.monge_axes.x), vector(from.monge_axes.y), vector(from.monge_axes.z)};
   copy(from.coefficients, to.coefficients);
@@ -183,10 +183,10 @@ private:
     const auto pca = [](const Samples<Pack>& samples) { return fitting_basis(samples); };
     const Estimation<Pack> estimation = estimate(std::move(m_samples), m_d, m_dprime, pca, m_solver, m_options);
     const Pack condition_number =
-        m_options.report_quality ? numeric::condition_number(estimation.solution.r) : Pack(FT(0));
+        m_options.report_quality ? numeric::condition_number(estimation.fit.solution.r) : Pack(FT(0));
     for (std::size_t i = 0; i < count; ++i) {
       const Index* points = block.begin(row[i]);
-      if (!estimation.solution.trusted[int(i)]) {
+      if (!estimation.fit.solution.trusted[int(i)]) {
         fits[row[i]] = fit(points, block.end(row[i]));
         continue;
       }
@@ -213,7 +213,7 @@ private:
     }
     assign(fit.form, estimation, p, typename Exact_first_converters<DataKernel, LocalKernel>::L2D_converter{});
     if (m_options.loss != Loss::least_squares &&
-        number_of_points < 5 * number_of_jet_coefficients(estimation.jet.degree()))
+        number_of_points < 5 * number_of_jet_coefficients(estimation.fit.jet.degree()))
       fit.status |= Status_flag::few_points_for_robust_loss;
     if (!reports_quality()) return;
     fit.quality.push_back({number_of_points, m_options.report_quality ? double(condition_number()) : 0,

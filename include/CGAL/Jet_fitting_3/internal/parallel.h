@@ -18,6 +18,7 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #endif
 
 namespace CGAL {
@@ -45,6 +46,17 @@ void for_each_block(std::size_t blocks, const Make_worker& make_worker)
     auto worker = make_worker();
     for (std::size_t b = 0; b < blocks && worker(b); ++b) {}
   }
+}
+
+/// Runs two tasks, at the same time if there are threads.
+template <class ConcurrencyTag, class First, class Second>
+void do_both(const First& first, const Second& second)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) return tbb::parallel_invoke(first, second);
+#endif
+  first();
+  second();
 }
 
 } // namespace internal

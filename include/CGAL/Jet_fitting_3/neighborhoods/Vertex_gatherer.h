@@ -39,8 +39,8 @@ public:
   /// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
   ///        estimate_vertex_monge_forms()
   explicit Vertex_gatherer(const Mesh& mesh, const NamedParameters& np = parameters::default_values())
-    : m_setting(mesh, np), m_compact(m_setting.compact(np)),
-      m_growth(m_compact, m_setting.points(), m_setting.normals())
+    : m_setting(mesh, np), m_compact(m_setting.compact(np)), m_normals(m_setting.normals(np)),
+      m_growth(m_compact, m_setting.points(), m_normals)
   {}
 
   Vertex_gatherer(const Vertex_gatherer&) = delete;
@@ -65,6 +65,7 @@ public:
 private:
   Setting m_setting;
   internal::Compact_mesh m_compact;
+  internal::Normal_table m_normals;
   internal::Mesh_growth<typename Setting::Kernel> m_growth;
   std::vector<internal::Index> m_row;
 };

@@ -51,7 +51,8 @@ compare_vertex_neighborhoods(const Mesh& mesh, const VertexRange& sample,
   using Setting = internal::Mesh_setting<Mesh, NamedParameters>;
   const Setting setting(mesh, np);
   const internal::Compact_mesh compact = setting.compact(np);
-  internal::Mesh_growth<typename Setting::Kernel> growth(compact, setting.points(), setting.normals());
+  const internal::Normal_table normals = setting.normals(np);
+  internal::Mesh_growth<typename Setting::Kernel> growth(compact, setting.points(), normals);
   std::vector<internal::Index> seeds;
   for (const auto& v : sample) seeds.push_back(setting.index(v));
   return internal::neighborhood_table(setting, seeds, neighborhoods, degrees, options,

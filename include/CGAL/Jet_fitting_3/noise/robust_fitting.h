@@ -112,7 +112,7 @@ Jet_fit<FT> fit_jet_robustly(const Samples<FT>& samples, const Basis_3<FT>& basi
     h.root_weight.resize(h.u.size());
     for (std::size_t i = 0; i < h.root_weight.size(); ++i)
       h.root_weight[i] = i < n ? numeric::square_root(FT(samples.weight(i) * weights[i])) : FT(0);
-    Jet_fit<FT> fit = fit_heights(h, current_degree, solve);
+    Jet_fit<FT> fit(h, current_degree, solve);
     trusted = trusted & fit.solution.trusted;
     return fit;
   };

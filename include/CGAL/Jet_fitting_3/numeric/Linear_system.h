@@ -8,42 +8,13 @@
 #define CGAL_JET_FITTING_3_NUMERIC_LINEAR_SYSTEM_H
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
-#include <CGAL/Jet_fitting_3/numeric/Pack.h>
-#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/numeric/Row_block.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
-
-/// Consecutive rows of a column that are computed together: one for most number types; a register full of them for
-/// float and double.
-template <class FT, int rows = native_lanes<FT>()>
-struct Row_block
-{
-  using type = Pack<FT, rows>;
-  static constexpr std::size_t size = rows;
-  static type load(const FT* p) { return type::load(p); }
-  static void store(const type& block, FT* p) { block.store(p); }
-  static FT sum(const type& block) { return sum_of_lanes(block); }
-};
-
-template <class FT>
-struct Row_block<FT, 1>
-{
-  using type = FT;
-  static constexpr std::size_t size = 1;
-  static type load(const FT* p) { return *p; }
-  static void store(const type& block, FT* p) { *p = block; }
-  static FT sum(const type& block) { return block; }
-};
-
-template <class FT>
-constexpr std::size_t padded_to_blocks(std::size_t rows)
-{
-  return (rows + Row_block<FT>::size - 1) / Row_block<FT>::size * Row_block<FT>::size;
-}
 
 /// The least squares system M Y = Z, one column of M after the other, then Z. Rows are padded to whole blocks by rows of
 /// zeros, which change no solution. Storage is kept from one system to the next.
@@ -79,14 +50,17 @@ template <class FT>
 class Upper_triangle
 {
 public:
+  Upper_triangle() {} // not defaulted: value-initialization would fill the array with zeros
   void resize(std::size_t size)
   {
     m_size = size;
     m_entries.resize(size * (size + 1) / 2);
   }
   std::size_t size() const { return m_size; }
-  FT& operator()(std::size_t i, std::size_t j) { return m_entries[j * (j + 1) / 2 + i]; }
-  const FT& operator()(std::size_t i, std::size_t j) const { return m_entries[j * (j + 1) / 2 + i]; }
+  FT& operator()(std::size_t i, std::size_t j) { return column(j)[i]; }
+  const FT& operator()(std::size_t i, std::size_t j) const { return column(j)[i]; }
+  FT* column(std::size_t j) { return m_entries.data() + j * (j + 1) / 2; } ///< of j + 1 entries
+  const FT* column(std::size_t j) const { return m_entries.data() + j * (j + 1) / 2; }
 
 private:
   std::size_t m_size = 0;

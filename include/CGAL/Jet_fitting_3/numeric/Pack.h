@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #if defined(__SSE2__)
@@ -182,6 +183,12 @@ public:
     return a;
   }
 
+  friend Pack_mask operator!(Pack_mask a)
+  {
+    for (int i = 0; i < lanes; ++i) a.m[i] = ~a.m[i];
+    return a;
+  }
+
 private:
   Register m;
 };
@@ -189,6 +196,16 @@ private:
 template <class T, int lanes>
 bool any(const Pack_mask<T, lanes>& mask)
 {
+#if defined(__GNUC__) && defined(__SSE2__)
+  const auto bits = mask.native();
+  if constexpr (sizeof(bits) == 16) return _mm_movemask_epi8((__m128i)bits) != 0;
+#if defined(__AVX__)
+  if constexpr (sizeof(bits) == 32) return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+#endif
+#if defined(__AVX512F__)
+  if constexpr (sizeof(bits) == 64) return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0;
+#endif
+#endif
   bool result = false;
   for (int i = 0; i < lanes; ++i) result = result || mask[i];
   return result;
@@ -197,9 +214,7 @@ bool any(const Pack_mask<T, lanes>& mask)
 template <class T, int lanes>
 bool all(const Pack_mask<T, lanes>& mask)
 {
-  bool result = true;
-  for (int i = 0; i < lanes; ++i) result = result && mask[i];
-  return result;
+  return !any(!mask);
 }
 
 template <class T, int lanes>
@@ -207,9 +222,7 @@ Pack<T, lanes> select_lanes(const Pack_mask<T, lanes>& mask, const Pack<T, lanes
                             const Pack<T, lanes>& if_false)
 {
 #if defined(__GNUC__)
-  using Bits = typename Pack_mask<T, lanes>::Register;
-  const Bits bits = ((Bits)if_true.native() & mask.native()) | ((Bits)if_false.native() & ~mask.native());
-  return Pack<T, lanes>((typename Pack<T, lanes>::Register)bits);
+  return Pack<T, lanes>(mask.native() ? if_true.native() : if_false.native());
 #else
   Pack<T, lanes> result = if_false;
   for (int i = 0; i < lanes; ++i)
@@ -221,7 +234,13 @@ Pack<T, lanes> select_lanes(const Pack_mask<T, lanes>& mask, const Pack<T, lanes
 template <class T, int lanes>
 Pack<T, lanes> abs(const Pack<T, lanes>& x)
 {
+#if defined(__GNUC__)
+  using Bits = typename Pack_mask<T, lanes>::Register;
+  const Bits sign = (Bits)Pack<T, lanes>(-0.0).native();
+  return Pack<T, lanes>((typename Pack<T, lanes>::Register)((Bits)x.native() & ~sign));
+#else
   return select(x < Pack<T, lanes>(T(0)), -x, x);
+#endif
 }
 
 template <class T, int lanes>
@@ -255,6 +274,14 @@ T sum_of_lanes(const Pack<T, lanes>& x)
 }
 
 template <class T, int lanes>
+T largest_lane(const Pack<T, lanes>& x)
+{
+  T result = x[0];
+  for (int i = 1; i < lanes; ++i) result = larger(result, x[i]);
+  return result;
+}
+
+template <class T, int lanes>
 struct Lanes<Pack<T, lanes>>
 {
   using Number = T;
@@ -262,6 +289,21 @@ struct Lanes<Pack<T, lanes>>
   static T get(const Pack<T, lanes>& x, int i) { return x[i]; }
   static void set(Pack<T, lanes>& x, int i, T value) { x.set(i, value); }
 };
+
+template <class T, int lanes>
+Pack<T, lanes> power_of_two_above_lanes(const Pack<T, lanes>& x)
+{
+#if defined(__GNUC__)
+  // as for one double: the next exponent, read from the bits
+  if constexpr (std::is_same<T, double>::value && std::numeric_limits<double>::is_iec559)
+    if (all((x > Pack<T, lanes>(0x1p-1000)) & (x < Pack<T, lanes>(0x1p1000)))) {
+      using Bits = typename Pack_mask<T, lanes>::Register;
+      const Bits bits = ((Bits)x.native() & 0x7ff0000000000000) + 0x0010000000000000;
+      return Pack<T, lanes>((typename Pack<T, lanes>::Register)bits);
+    }
+#endif
+  return by_lane(x, [](const T& number) { return power_of_two_above(number); });
+}
 
 } // namespace numeric
 } // namespace Jet_fitting

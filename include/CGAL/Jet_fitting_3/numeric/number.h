@@ -162,10 +162,8 @@ inline double next_power_of_two(double x)
 template <class FT>
 FT power_of_two_above(const FT& x)
 {
-  using Number = typename Lanes<FT>::Number;
-  return by_lane(x, [](const Number& number) {
-    return number > Number(0) && is_finite(number) ? next_power_of_two(number) : Number(1);
-  });
+  if constexpr (Lanes<FT>::count > 1) return power_of_two_above_lanes(x);
+  else return x > FT(0) && is_finite(x) ? next_power_of_two(x) : FT(1);
 }
 
 } // namespace numeric

@@ -100,23 +100,34 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
   solution.y.resize(columns);
   solution.rank = columns;
 
-  Buffer<FT, 48> component;
-  component.resize(columns + 1);
+  // R = D U with the norms on the diagonal of D; U has ones on its diagonal, components above it
+  Buffer<FT, 48> component_buffer, norm_buffer;
+  component_buffer.resize(columns + 1);
+  norm_buffer.resize(columns);
+  FT *const component = component_buffer.data(), *const norm = norm_buffer.data(), *const y = solution.y.data();
   FT square = square_norm(system.column(0), rows);
   FT largest = square, smallest = square;
   for (std::size_t k = 0; k < columns; ++k) {
     largest = larger(largest, square);
     smallest = select(square < smallest, square, smallest);
-    const FT norm = square_root(square);
+    norm[k] = square_root(square);
     square = orthogonalize_to(system.column(k), FT(FT(1) / square), rows, columns - k, system.column(k + 1),
-                              &component[k + 1]); // of the columns to the right and of Z
-    solution.r(k, k) = norm;
-    for (std::size_t j = k + 1; j < columns; ++j) solution.r(k, j) = norm * component[j];
-    solution.y[k] = norm * component[columns];
+                              component + k + 1); // of the columns to the right and of Z
+    FT* u = solution.r.column(k) + k;
+    for (std::size_t j = k + 1; j < columns; ++j) {
+      u += j; // one column on in row k
+      *u = component[j];
+    }
+    y[k] = component[columns];
   }
-  for (std::size_t k = columns; k-- > 0;) {
-    solution.y[k] = solution.y[k] / solution.r(k, k);
-    for (std::size_t i = 0; i < k; ++i) solution.y[i] = solution.y[i] - solution.r(i, k) * solution.y[k];
+  for (std::size_t j = columns; j-- > 0;) {
+    const FT* u = solution.r.column(j);
+    for (std::size_t i = 0; i < j; ++i) y[i] = y[i] - u[i] * y[j];
+  }
+  for (std::size_t j = 0; j < columns; ++j) {
+    FT* r = solution.r.column(j);
+    for (std::size_t i = 0; i < j; ++i) r[i] = norm[i] * r[i];
+    r[j] = norm[j];
   }
   solution.square_sum = square; // of what is left of Z, the residual
   // comparisons pass over a NaN on the way, but it has reached the residual

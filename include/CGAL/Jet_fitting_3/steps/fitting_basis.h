@@ -50,20 +50,24 @@ struct Moments
 template <class FT>
 Moments<FT> moments(const Samples<FT>& samples)
 {
-  Vector_3<FT> sum{FT(0), FT(0), FT(0)};
-  for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * samples[i];
+  using Rows = numeric::Row_block<FT>;
+  using Row = typename Rows::type;
+  const Row zero(0);
+  Vector_3<Row> sum{zero, zero, zero};
+  for (std::size_t i = 0; i < samples.padded_size(); i += Rows::size)
+    sum = sum + samples.weight_block(i) * samples.block(i);
   const FT inverse_total = FT(1) / samples.total_weight();
-  const Vector_3<FT> centroid = inverse_total * sum;
+  const auto mean = [&inverse_total](const Row& of) { return FT(inverse_total * Rows::sum(of)); };
+  const Vector_3<FT> centroid{mean(sum.x), mean(sum.y), mean(sum.z)};
 
-  numeric::Symmetric_3<FT> s{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vector_3<FT> r = samples[i] - centroid, wr = samples.weight(i) * r;
+  const Vector_3<Row> center{Row(centroid.x), Row(centroid.y), Row(centroid.z)};
+  numeric::Symmetric_3<Row> s{zero, zero, zero, zero, zero, zero};
+  for (std::size_t i = 0; i < samples.padded_size(); i += Rows::size) {
+    const Vector_3<Row> r = samples.block(i) - center, wr = samples.weight_block(i) * r;
     s = {s.xx + wr.x * r.x, s.xy + wr.x * r.y, s.xz + wr.x * r.z,
          s.yy + wr.y * r.y, s.yz + wr.y * r.z, s.zz + wr.z * r.z};
   }
-  return {centroid,
-          {s.xx * inverse_total, s.xy * inverse_total, s.xz * inverse_total, s.yy * inverse_total, s.yz * inverse_total,
-           s.zz * inverse_total}};
+  return {centroid, {mean(s.xx), mean(s.xy), mean(s.xz), mean(s.yy), mean(s.yz), mean(s.zz)}};
 }
 
 /// \ingroup PkgJetFitting3Steps

@@ -9,13 +9,14 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/Row_block.h>
 #include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
-#include <CGAL/Jet_fitting_3/numeric/orthogonalization.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -38,18 +39,6 @@ struct Heights
   FT hu, hv;
   /// @}
 };
-
-/// \ingroup PkgJetFitting3Steps
-/// Weighted, of one coordinate of the samples.
-template <class FT>
-FT root_mean_square(const numeric::Buffer<FT, 128>& coordinates, const Samples<FT>& samples)
-{
-  FT sum(0);
-  if (samples.is_weighted())
-    for (std::size_t i = 0; i < samples.size(); ++i) sum = sum + samples.weight(i) * coordinates[i] * coordinates[i];
-  else sum = numeric::square_norm(coordinates.data(), coordinates.size());
-  return numeric::square_root(FT(sum / samples.total_weight()));
-}
 
 /// \ingroup PkgJetFitting3Steps
 /// r . axis, for |r| coordinates at most 1, with an error of a few units in the last place of the result. A height is a
@@ -87,28 +76,35 @@ private:
 template <class FT>
 Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
 {
-  const std::size_t n = samples.size(), padded = numeric::padded_to_blocks<FT>(n);
+  using Rows = numeric::Row_block<FT>;
+  using Row = typename Rows::type;
+  const std::size_t padded = samples.padded_size();
   Heights<FT> h;
-  h.size = n;
-  for (auto* coordinates : {&h.u, &h.v, &h.height}) {
-    coordinates->resize(padded);
-    for (std::size_t i = n; i < padded; ++i) (*coordinates)[i] = FT(0);
-  }
-  const FT *x = samples.x(), *y = samples.y(), *z = samples.z();
+  h.size = samples.size();
+  for (auto* coordinates : {&h.u, &h.v, &h.height}) coordinates->resize(padded);
   FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
-  const Height_above_plane<FT> height_above_plane(basis.z);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vector_3<FT> r{x[i], y[i], z[i]};
-    u[i] = dot(r, basis.x);
-    v[i] = dot(r, basis.y);
-    height[i] = height_above_plane(r);
+  const auto same_in_rows = [](const Vector_3<FT>& a) { return Vector_3<Row>{Row(a.x), Row(a.y), Row(a.z)}; };
+  const Vector_3<Row> x_axis = same_in_rows(basis.x), y_axis = same_in_rows(basis.y);
+  const Height_above_plane<Row> height_above_plane(same_in_rows(basis.z));
+  Row square_sum_u(0), square_sum_v(0);
+  for (std::size_t i = 0; i < padded; i += Rows::size) {
+    const Vector_3<Row> r = samples.block(i);
+    const Row ui = dot(r, x_axis), vi = dot(r, y_axis), weight = samples.weight_block(i);
+    square_sum_u = square_sum_u + weight * ui * ui;
+    square_sum_v = square_sum_v + weight * vi * vi;
+    Rows::store(ui, u + i);
+    Rows::store(vi, v + i);
+    Rows::store(height_above_plane(r), height + i);
   }
   if (samples.is_weighted()) {
     h.root_weight.resize(padded);
-    for (std::size_t i = 0; i < padded; ++i) h.root_weight[i] = i < n ? numeric::square_root(samples.weight(i)) : FT(0);
+    for (std::size_t i = 0; i < padded; i += Rows::size)
+      Rows::store(numeric::square_root(samples.weight_block(i)), h.root_weight.data() + i);
   }
 
-  const FT extent_u = root_mean_square(h.u, samples), extent_v = root_mean_square(h.v, samples);
+  const FT inverse_total = FT(1) / samples.total_weight();
+  const FT extent_u = numeric::square_root(FT(inverse_total * Rows::sum(square_sum_u)));
+  const FT extent_v = numeric::square_root(FT(inverse_total * Rows::sum(square_sum_v)));
   const FT around_p = FT(1.0 / 1024); // of the unit: weights may leave next to nothing but p, which has no extent
   const FT wider = numeric::larger(numeric::larger(extent_u, extent_v), around_p);
   const FT least = FT(1.0 / (1ll << 40)) * wider;
@@ -116,7 +112,7 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, wider, extent_u)));
   h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, wider, extent_v)));
   const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < padded; ++i) {
     u[i] = u[i] * inverse_hu;
     v[i] = v[i] * inverse_hv;
   }
@@ -129,21 +125,43 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
 template <class FT>
 void assemble(const Heights<FT>& h, std::size_t degree, numeric::Linear_system<FT>& system)
 {
-  const std::size_t n = h.size, rows = system.padded_rows();
+  using Rows = numeric::Row_block<FT>;
+  const std::size_t rows = system.padded_rows();
   const FT *u = h.u.data(), *v = h.v.data(), *z = h.height.data(), *w = h.root_weight.data();
   const bool weighted = !h.root_weight.empty();
 
-  FT* constant = system.column(0);
-  for (std::size_t i = 0; i < rows; ++i) constant[i] = weighted ? w[i] : i < n ? FT(1) : FT(0);
-  for (std::size_t k = 1, j = 1; k <= degree; ++k)
-    for (std::size_t c = 0; c <= k; ++c, ++j) { // u^(k-c) v^c
+  FT* const constant = system.column(0);
+  FT* const right_side = system.right_side();
+  if (weighted) {
+    std::copy(w, w + rows, constant);
+    for (std::size_t i = 0; i < rows; ++i) right_side[i] = w[i] * z[i];
+  } else {
+    std::fill(constant, constant + h.size, FT(1));
+    std::fill(constant + h.size, constant + rows, FT(0));
+    std::copy(z, z + rows, right_side);
+  }
+  FT* column = constant;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t c = 0; c <= k; ++c) { // u^(k-c) v^c
+      column += rows;
       const FT* factor = c < k ? u : v;
-      const FT* lower = system.column(c < k ? j - k : j - k - 1);
-      FT* column = system.column(j);
-      for (std::size_t i = 0; i < rows; ++i) column[i] = factor[i] * lower[i];
+      const FT* lower = column - (c < k ? k : k + 1) * rows;
+      for (std::size_t i = 0; i < rows; i += Rows::size)
+        Rows::store(Rows::load(factor + i) * Rows::load(lower + i), column + i);
     }
-  FT* right_side = system.right_side();
-  for (std::size_t i = 0; i < rows; ++i) right_side[i] = weighted ? FT(w[i] * z[i]) : z[i];
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// i! / h^i for i = 0, ..., degree.
+template <class FT>
+numeric::Buffer<FT, 16> factorials_over_powers(const FT& h, std::size_t degree)
+{
+  const FT inverse = FT(1) / h;
+  numeric::Buffer<FT, 16> result;
+  result.resize(degree + 1);
+  result[0] = FT(1);
+  for (std::size_t i = 1; i <= degree; ++i) result[i] = result[i - 1] * (inverse * FT(double(i)));
+  return result;
 }
 
 /// \ingroup PkgJetFitting3Steps
@@ -151,16 +169,7 @@ void assemble(const Heights<FT>& h, std::size_t degree, numeric::Linear_system<F
 template <class FT>
 Jet<FT> jet_of_solution(const numeric::Buffer<FT, 45>& y, std::size_t degree, const FT& hu, const FT& hv)
 {
-  const auto factorials = numeric::factorials<FT>(degree);
-  numeric::Buffer<FT, 16> along_u = factorials, along_v = factorials; // i! / hu^i, j! / hv^j
-  const FT inverse_hu = FT(1) / hu, inverse_hv = FT(1) / hv;
-  FT power_u(1), power_v(1);
-  for (std::size_t i = 1; i <= degree; ++i) {
-    power_u = power_u * inverse_hu;
-    power_v = power_v * inverse_hv;
-    along_u[i] = along_u[i] * power_u;
-    along_v[i] = along_v[i] * power_v;
-  }
+  const auto along_u = factorials_over_powers(hu, degree), along_v = factorials_over_powers(hv, degree);
   Jet<FT> jet(degree);
   for (std::size_t k = 0, j = 0; k <= degree; ++k)
     for (std::size_t i = 0; i <= k; ++i, ++j) jet.part(k)[i] = y[j] * along_u[k - i] * along_v[i];
@@ -199,24 +208,20 @@ struct Jet_fit
   FT hu, hv;
   /// @}
   numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample; otherwise none
-  FT error_variance; ///< of a robust loss: what its noise and its weights make of the residual variance; otherwise 0
-};
+  FT error_variance = FT(0); ///< of a robust loss: what its noise and its weights make of the residual variance
 
-/// \ingroup PkgJetFitting3Steps
-/// Step 2 after the change of coordinates.
-template <class FT, class Solver>
-Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
-{
-  Jet_fit<FT> fit{Jet<FT>(),
-                  solve(h.size, number_of_jet_coefficients(degree),
-                        [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); }),
-                  h.hu,
-                  h.hv,
-                  {},
-                  FT(0)};
-  fit.jet = jet_of_solution(fit.solution.y, degree, h.hu, h.hv);
-  return fit;
-}
+  Jet_fit() = default;
+
+  /// Step 2 after the change of coordinates.
+  template <class Solver>
+  Jet_fit(const Heights<FT>& h, std::size_t degree, Solver& solve)
+    : solution(solve(h.size, number_of_jet_coefficients(degree),
+                     [&](numeric::Linear_system<FT>& system) { assemble(h, degree, system); })),
+      hu(h.hu), hv(h.hv)
+  {
+    jet = jet_of_solution(solution.y, degree, hu, hv);
+  }
+};
 
 /// \ingroup PkgJetFitting3Steps
 /// Step 2 (section 3.2): the d-jet whose graph over the (x, y) plane of the basis fits the samples in the least squares
@@ -231,7 +236,7 @@ Jet_fit<FT> fit_heights(const Heights<FT>& h, std::size_t degree, Solver& solve)
 template <class FT, class Solver>
 Jet_fit<FT> fit_jet(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Solver& solve)
 {
-  return fit_heights(heights(samples, basis), degree, solve);
+  return Jet_fit<FT>(heights(samples, basis), degree, solve);
 }
 
 } // namespace Jet_fitting

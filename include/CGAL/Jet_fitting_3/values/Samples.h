@@ -8,9 +8,11 @@
 #define CGAL_JET_FITTING_3_VALUES_SAMPLES_H
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
-#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/numeric/Row_block.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -19,89 +21,96 @@ namespace Jet_fitting {
 /// \ingroup PkgJetFitting3Steps
 /// The sample points P+ of section 2.1.2, relative to p = samples[0], in world axes: p itself is (0, 0, 0).
 /// A weight multiplies the square of its sample's residual; no weights means weights one.
+/// Padded to whole blocks of rows by copies of p of weight 0.
 template <class FT>
 class Samples
 {
-  using Coordinates = numeric::Buffer<FT, 128>;
+  using Rows = numeric::Row_block<FT>;
 
 public:
   /// N, p included.
-  std::size_t size() const { return m_x.size(); }
+  std::size_t size() const { return m_size; }
+  /// N and the copies of p.
+  std::size_t padded_size() const { return m_padded_size; }
   /// Sample i relative to p.
-  Vector_3<FT> operator[](std::size_t i) const { return {m_x[i], m_y[i], m_z[i]}; }
+  Vector_3<FT> operator[](std::size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
+  /// The block of samples that begins with sample i.
+  Vector_3<typename Rows::type> block(std::size_t i) const
+  {
+    return {Rows::load(column(0) + i), Rows::load(column(1) + i), Rows::load(column(2) + i)};
+  }
 
-  /// Whether weights are stored.
-  bool is_weighted() const { return !m_weights.empty(); }
+  /// Whether there may be weights other than one.
+  bool is_weighted() const { return m_is_weighted; }
   /// Of sample i.
-  FT weight(std::size_t i) const { return is_weighted() ? m_weights[i] : FT(1); }
+  const FT& weight(std::size_t i) const { return column(3)[i]; }
+  /// Of a block; 0 for copies of p.
+  typename Rows::type weight_block(std::size_t i) const { return Rows::load(column(3) + i); }
 
   /// Sum of the weights; 1 where all are 0, since it is there to divide by.
   FT total_weight() const
   {
     if (!is_weighted()) return FT(double(size()));
     FT total(0);
-    for (const FT& weight : m_weights) total = total + weight;
+    for (std::size_t i = 0; i < size(); ++i) total = total + weight(i);
     return numeric::select(total > FT(0), total, FT(1));
   }
 
-  /// Coordinates and weights are indeterminate until set.
+  /// Coordinates are indeterminate until set, weights are one.
   void resize(std::size_t size, bool weighted = false)
   {
-    for (Coordinates* c : {&m_x, &m_y, &m_z}) c->resize(size);
-    m_weights.resize(weighted ? size : 0);
+    m_size = size;
+    m_padded_size = numeric::padded_to_blocks<FT>(size);
+    m_is_weighted = weighted;
+    m_table.resize(4 * m_padded_size);
+    for (std::size_t c = 0; c < 4; ++c) std::fill(column(c) + size, column(c) + m_padded_size, FT(0));
+    std::fill(column(3), column(3) + size, FT(1));
   }
 
   /// Sample i, relative to p.
   void set(std::size_t i, const Vector_3<FT>& r)
   {
-    m_x[i] = r.x;
-    m_y[i] = r.y;
-    m_z[i] = r.z;
+    column(0)[i] = r.x;
+    column(1)[i] = r.y;
+    column(2)[i] = r.z;
   }
 
-  /// Gives every sample the weight one that it had without saying so.
-  void make_weighted()
-  {
-    if (is_weighted()) return;
-    m_weights.resize(size());
-    for (FT& weight : m_weights) weight = FT(1);
-  }
+  /// From now on set_weight() may be called.
+  void make_weighted() { m_is_weighted = true; }
 
-  /// Of sample i, where weights are stored.
-  void set_weight(std::size_t i, const FT& weight) { m_weights[i] = weight; }
+  /// Of sample i.
+  void set_weight(std::size_t i, const FT& weight) { column(3)[i] = weight; }
 
   /// The same for one lane, where FT is a Pack.
   template <class Number>
   void set_lane(std::size_t i, int lane, const Number& x, const Number& y, const Number& z)
   {
-    m_x[i].set(lane, x);
-    m_y[i].set(lane, y);
-    m_z[i].set(lane, z);
+    column(0)[i].set(lane, x);
+    column(1)[i].set(lane, y);
+    column(2)[i].set(lane, z);
   }
 
   /// The weight of sample i in one lane.
   template <class Number>
   void set_weight_lane(std::size_t i, int lane, const Number& weight)
   {
-    m_weights[i].set(lane, weight);
+    column(3)[i].set(lane, weight);
   }
-
-  /// @{
-  /// A coordinate of all samples.
-  const FT* x() const { return m_x.data(); }
-  const FT* y() const { return m_y.data(); }
-  const FT* z() const { return m_z.data(); }
-  /// @}
 
   /// Multiplies all coordinates.
   void scale(const FT& factor)
   {
-    for (Coordinates* c : {&m_x, &m_y, &m_z})
-      for (FT& coordinate : *c) coordinate = coordinate * factor;
+    FT* coordinate = column(0);
+    for (std::size_t i = 0; i < 3 * m_padded_size; ++i) coordinate[i] = coordinate[i] * factor;
   }
 
 private:
-  Coordinates m_x, m_y, m_z, m_weights;
+  FT* column(std::size_t c) { return m_table.data() + c * m_padded_size; } // x, y, z, weight
+  const FT* column(std::size_t c) const { return m_table.data() + c * m_padded_size; }
+
+  std::size_t m_size = 0, m_padded_size = 0;
+  bool m_is_weighted = false;
+  numeric::Buffer<FT, 4 * 128> m_table;
 };
 
 /// \ingroup PkgJetFitting3Steps
@@ -110,13 +119,16 @@ private:
 template <class FT>
 FT unit_of_length(const Samples<FT>& samples)
 {
-  FT x(0), y(0), z(0); // side by side, because a comparison takes several cycles
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    x = numeric::larger(x, numeric::absolute(samples.x()[i]));
-    y = numeric::larger(y, numeric::absolute(samples.y()[i]));
-    z = numeric::larger(z, numeric::absolute(samples.z()[i]));
+  using Rows = numeric::Row_block<FT>;
+  using numeric::larger, numeric::absolute;
+  typename Rows::type x(0), y(0), z(0); // side by side, because a comparison takes several cycles
+  for (std::size_t i = 0; i < samples.padded_size(); i += Rows::size) {
+    const auto r = samples.block(i);
+    x = larger(x, absolute(r.x));
+    y = larger(y, absolute(r.y));
+    z = larger(z, absolute(r.z));
   }
-  return numeric::power_of_two_above(numeric::larger(x, numeric::larger(y, z)));
+  return numeric::power_of_two_above(Rows::largest(larger(x, larger(y, z))));
 }
 
 } // namespace Jet_fitting
