@@ -237,7 +237,7 @@ void check_bad_arguments()
   for (const char* arguments :
        {"--no-such-option", "torus.off -d 0", "torus.off -d 2 -m 3", "torus.off -r -1", "torus.off --ridges some",
         "torus.off -d 2 --ridges crest", "torus.off -o out.txt", "torus.off --color b0", "torus.off --view 1,2",
-        "torus.off --view 0,0,1", "a.off b.off"}) {
+        "torus.off --view 0,0,1", "a.off b.off", "-d %value%", "--co%original_token%"}) {
     const std::size_t before = number_of_files();
     const Run refused = run(arguments);
     test::check_equal(refused.exit_code, 2, std::string("exit code for ") + arguments);

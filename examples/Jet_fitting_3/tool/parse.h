@@ -160,6 +160,9 @@ public:
     try {
       po::store(po::command_line_parser(argc, argv).options(m_all).positional(m_positional).run(), given);
     } catch (const po::error& e) {
+      // Boost's message replaces %value% and the like, for ever if the word itself contains it.
+      for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc))
+        if (word.find('%') != word.rfind('%')) throw Usage_error(word + " is not understood");
       throw Usage_error(e.what());
     }
     if (given.count("help") != 0) return {};
