@@ -38,6 +38,16 @@ void* operator new(std::size_t size)
   return memory;
 }
 
+// What the library's own would do; that of a sanitizer does not come to the one above.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 void operator delete(void* memory) noexcept
 {
   if (memory != nullptr) --live_blocks;

@@ -4,8 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The local kernel's number type does all the arithmetic, from float to 50 digits. (CGAL's kernels of Boost's
-// multiprecision numbers do not compile once a filtered kernel is included: hence a program of its own.)
+// The local kernel's number type does all the arithmetic, from float to 50 digits.
 
 #include "counting_svd.h"
 #include "kernels.h"
@@ -18,6 +17,21 @@
 using namespace test;
 
 using Float_50 = mp::cpp_bin_float_50;
+
+// CGAL 6, and any CGAL once a filtered kernel is included, knows of Boost's multiprecision numbers, but not of these.
+namespace CGAL {
+
+template <>
+struct Algebraic_structure_traits<Float_50> : Algebraic_structure_traits_base<Float_50, Field_tag>
+{
+  using Is_exact = Tag_false;
+};
+
+template <>
+struct Real_embeddable_traits<Float_50> : INTERN_RET::Real_embeddable_traits_base<Float_50, Tag_true>
+{};
+
+} // namespace CGAL
 
 // The local kernel's type does all the arithmetic: its epsilon is the measure of the errors.
 template <class Number>
