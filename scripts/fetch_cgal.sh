@@ -18,8 +18,7 @@ skip() {
 }
 
 command -v apt-get > /dev/null || skip "there is no apt-get"
-# The mirror is the one that this system takes its own packages from.
-mirror=$(apt-get --print-uris update 2> /dev/null | sed -n "s|^'\(http[^']*\)/dists/.*|\1|p" | grep -v security | head -n 1)
+mirror=$(debian_mirror)
 [ -n "$mirror" ] || skip "the apt sources of this system name no mirror"
 
 rm -rf "$folder"

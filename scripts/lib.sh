@@ -72,3 +72,8 @@ find_demo_archives() {
     (cd "$build/libcgal-demo" && apt-get -q download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb . && rm libcgal-demo_*.deb)
   fi
 }
+
+# The mirror that this system takes its own packages from; nothing if its sources name none.
+debian_mirror() {
+  apt-get --print-uris update 2> /dev/null | sed -n "s|^'\(http[^']*\)/dists/.*|\1|p" | grep -v security | head -n 1
+}
