@@ -113,14 +113,21 @@ public:
   {
     double size = 0;
     Index first = no_index;
+    m_all_are_finite = true;
     for (Index i = 0; i < Base::size(); ++i) {
-      if (!Base::is_finite(i)) continue;
+      if (!Base::is_finite(i)) {
+        m_all_are_finite = false;
+        continue;
+      }
       if (first == no_index) first = i;
       const Vector_3<double> d = Base::offset(first, i);
       size = (std::max)({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
     }
     m_per_length = 1 / numeric::power_of_two_above(size);
   }
+
+  /// Does not look at the point where all are finite: it may be far away in memory.
+  bool is_finite(Index i) const { return m_all_are_finite || Base::is_finite(i); }
 
   /// How many units one length is.
   double per_length() const { return m_per_length; }
@@ -137,6 +144,7 @@ public:
 
 private:
   double m_per_length = 1;
+  bool m_all_are_finite = false; // as far as is known
 };
 
 } // namespace internal
