@@ -107,7 +107,7 @@ void write_results(Output_files& files, const Results& r, const Arguments& a)
   write_lines(a.ridge_outputs, r.ridges.lines);
   write_lines(a.direction_outputs, r.directions);
   const std::string old_name = name_without_slashes(a.input);
-  if (a.outputs.empty())
+  if (!a.names_output())
     files.add(old_name + ".4ogl.txt", [&](std::ostream& out) { write_4ogl(out, r.mesh, r.estimates); });
   if (a.verbose) files.add(old_name + ".verb.txt", [&](std::ostream& out) { write_verbose(out, r.mesh, r.estimates); });
 }

@@ -167,6 +167,9 @@ void check_old_options()
   test::check_true(in.eof(), "the 4ogl file holds numbers only");
   test::check_equal(numbers, 14L * around * across, "14 numbers for each vertex in the 4ogl file");
   test::check_true(contents("torus.off.verb.txt").find("condition_number") != std::string::npos, "the verbose file");
+  fs::remove("torus.off.4ogl.txt");
+  test::check_equal(run("torus.off --directions d.obj -q").exit_code, 0, "an output of directions only");
+  test::check_true(!fs::exists("torus.off.4ogl.txt"), "the 4ogl file is written only where no output is named");
   test::check_equal(run("-f torus.off -d2 -p 3").exit_code, 2, "too few points for the degree");
 }
 

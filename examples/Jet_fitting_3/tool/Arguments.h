@@ -51,6 +51,10 @@ struct Arguments
   std::array<double, 3> view{{0.3, -0.6, 0.8}}, up{{0, 0, 1}};
   int width = 1200, height = 900;
 
+  bool names_output() const
+  {
+    return !outputs.empty() || !ridge_outputs.empty() || !direction_outputs.empty() || !picture.empty();
+  }
   bool draws_ridges() const { return drawn == Drawn::ridges || drawn == Drawn::ridges_and_umbilics; }
 };
 

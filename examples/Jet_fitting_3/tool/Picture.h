@@ -133,7 +133,7 @@ inline void write_picture(std::ostream& out, const Picture& p, const Arguments& 
   Scene scene(out, view, width);
   if (is_point_set(p.mesh)) scene.add_points(p.mesh, 0.7 / std::sqrt(double(p.mesh.number_of_vertices())), p.colors);
   else scene.add_mesh(p.mesh, shading_normals(p.mesh, p.forms), p.colors);
-  const double radius = a.draws_ridges() ? 0.0045 : 0.0022;
+  const double radius = a.draws_ridges() ? 0.0045 : 0.003;
   for (const Line_style& style : p.styles) scene.add_lines(p.lines, style.type, radius, style.color);
   for (const auto& umbilic : p.umbilics) scene.add_ball(umbilic.point, 0.014, {{20, 20, 20}});
   if (has_legend) add_legend(scene, p, a.color, width / 2);

@@ -32,7 +32,7 @@
 
 namespace tool {
 
-// Any of the neighbourhoods, chosen at run time.
+// Any of the neighborhoods, chosen at run time.
 template <class... Neighborhoods>
 struct Chosen_neighborhood
 {

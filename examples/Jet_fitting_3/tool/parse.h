@@ -107,29 +107,29 @@ public:
       ("degree-jet,d", po::value<int>()->value_name("d"), "degree of the jet (2; 4 for ridges)")
       ("degree-monge,m", po::value<int>()->value_name("m"), "degree of the Monge form, at most d (d)")
       ("nb-rings,a", po::value<int>()->value_name("n"),
-       "neighbours: n rings; 0: as many rings as the fit needs at least. Without any of these three options: as many "
+       "neighbors: n rings; 0: as many rings as the fit needs at least. Without any of these three options: as many "
        "rings as have twice the points that the fit needs; for points: so many nearest ones")
-      ("nb-points,p", po::value<int>()->value_name("n"), "neighbours: the n nearest points; 0: no effect")
-      ("radius,r", po::value<double>()->value_name("x"), "neighbours: the points within this distance")
+      ("nb-points,p", po::value<int>()->value_name("n"), "neighbors: the n nearest points; 0: no effect")
+      ("radius,r", po::value<double>()->value_name("x"), "neighbors: the points within this distance")
       ("sharp-angle", po::value<double>()->value_name("degrees"),
-       "neighbourhoods do not cross edges at which the normals of the two faces make a larger angle")
-      ("weights", word("kind", "unit"), "of the neighbours by their distance: unit, gaussian, wendland, inverse_distance")
+       "neighborhoods do not cross edges at which the normals of the two faces make a larger angle")
+      ("weights", word("kind", "unit"), "of the neighbors by their distance: unit, gaussian, wendland, inverse_distance")
       ("robust", word("loss", "none"), "to outliers: none, absolute, huber, cauchy, tukey; needs some five times the "
                                        "points that the fit needs at least")
       ("errors", "standard errors of all coefficients, among the quantities")
-      ("no-quality", "neither condition numbers nor residuals, which take longer than the fits")
+      ("no-quality", "neither condition numbers nor residuals, which take half as long as the fits")
       ("lower-degree", "where the points do not suffice for degree d, fit a lower one instead of skipping the vertex");
     output.add_options()
-      ("output,o", files(), "all quantities at all vertices, with colours: ply (binary), vtp, csv. Without: "
-                            "<input>.4ogl.txt in this folder, a line for each vertex: the vertex, the point of the "
+      ("output,o", files(), "all quantities at all vertices, with colors: ply (binary), vtp, csv. Without any output file "
+                            "or picture: <input>.4ogl.txt in this folder, a line for each vertex: the vertex, the point of the "
                             "fitted surface, d1 and d2 as segments, k1, k2")
       ("verbose,v", po::value<bool>()->value_name("0|1")->default_value(false),
        "the Monge forms as text too: <input>.verb.txt")
       ("directions", files(), "principal directions as line segments: ply, obj, vtp")
       ("direction", word("max|min", "max"), "which, in files and pictures")
-      ("color,c", word("quantity", "H"), "colour by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, "
+      ("color,c", word("quantity", "H"), "color by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, "
                                          "condition_number, ...; or none")
-      ("percentile", number(2, "2"), "the range of colours leaves out this percentage of the vertices at either end");
+      ("percentile", number(2, "2"), "the range of colors leaves out this percentage of the vertices at either end");
     ridges.add_options()
       ("ridges", po::value<std::string>()->value_name("kind"), "find ridges: max (of k1), min (of k2), all or crest")
       ("ridge-order", integer(4), "3 or 4: order of the derivatives that tell maxima from minima")
@@ -186,9 +186,9 @@ public:
     out << "Usage: " << program << " [options] [mesh or points]\n\n"
         << "Estimates normals, principal curvatures and directions, and derivatives of the curvatures at every vertex "
            "of a\n"
-           "mesh or point set, by fitting polynomials to neighbouring points; finds ridges and umbilics of meshes.\n\n"
+           "mesh or point set, by fitting polynomials to neighboring points; finds ridges and umbilics of meshes.\n\n"
         << "  " << program << " bunny.off -o bunny.ply\n"
-        << "      curvatures and directions into one file, vertices coloured by mean curvature, for MeshLab or "
+        << "      curvatures and directions into one file, vertices colored by mean curvature, for MeshLab or "
            "Blender\n"
         << "  " << program << " bunny.off -d 4 -a 3 --ridges crest --min-strength 1 --ridges-output crests.obj \\\n"
         << "      --picture crests.png --view 0,0,1 --up 0,1,0\n"
