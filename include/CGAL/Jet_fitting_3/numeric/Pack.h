@@ -261,8 +261,15 @@ inline Pack<double, 4> sqrt(const Pack<double, 4>& x) { return Pack<double, 4>(_
 inline Pack<float, 8> sqrt(const Pack<float, 8>& x) { return Pack<float, 8>(_mm256_sqrt_ps(x.native())); }
 #endif
 #if defined(__GNUC__) && defined(__AVX512F__)
-inline Pack<double, 8> sqrt(const Pack<double, 8>& x) { return Pack<double, 8>(_mm512_sqrt_pd(x.native())); }
-inline Pack<float, 16> sqrt(const Pack<float, 16>& x) { return Pack<float, 16>(_mm512_sqrt_ps(x.native())); }
+// With a mask of all lanes: g++ 12 warns of an uninitialized variable in its own functions without masks.
+inline Pack<double, 8> sqrt(const Pack<double, 8>& x)
+{
+  return Pack<double, 8>(_mm512_maskz_sqrt_pd(0xff, x.native()));
+}
+inline Pack<float, 16> sqrt(const Pack<float, 16>& x)
+{
+  return Pack<float, 16>(_mm512_maskz_sqrt_ps(0xffff, x.native()));
+}
 #endif
 
 template <class T, int lanes>
