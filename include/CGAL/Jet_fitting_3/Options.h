@@ -20,8 +20,8 @@ struct Options : Fit_options
   /// for which they do, and a Monge form of that degree at most; otherwise such a vertex or point is skipped.
   bool lower_degree = false;
 
-  /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it can take longer than
-  /// the fits. Standard errors are kept whenever they are asked for.
+  /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as
+  /// long as the fits. Standard errors are kept whenever they are asked for.
   bool report_quality = false;
 };
 
