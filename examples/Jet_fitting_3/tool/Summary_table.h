@@ -90,7 +90,8 @@ public:
     };
     using CGAL::Jet_fitting::Umbilic_type;
     m_out << found.umbilics.size() << " umbilics: " << count(Umbilic_type::lemon) << " lemons, "
-          << count(Umbilic_type::monstar) << " monstars, " << count(Umbilic_type::star) << " stars\n";
+          << count(Umbilic_type::monstar) << " monstars, " << count(Umbilic_type::star) << " stars, "
+          << count(Umbilic_type::non_generic) << " of no generic type\n";
   }
 
   void add_files(const std::vector<std::string>& names)
