@@ -8,7 +8,7 @@ install_missing g++ make cmake libcgal-dev libcgal-demo libeigen3-dev libboost-d
 find_demo_archives
 
 say "configuring $build/test"
-cmake --preset test -B "$build/test" -DCGAL_DEMO_ARCHIVES_DIR="$demo_archives"
+cmake --preset test -B "$build/test" -DCGAL_DEMO_ARCHIVES_DIR="$demo_archives" -DJET_FITTING_3_TEST_MATRIX="$build"
 say "building with $jobs compilers at a time"
 # What does not compile is a test that is not run, and counts as failed there.
 cmake --build "$build/test" -j "$jobs" -- -k || say "some programs do not compile"

@@ -33,7 +33,7 @@ using Monge_form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
 using Normal_map = CGAL::Second_of_pair_property_map<Oriented>;
 
 const CGAL::First_of_pair_property_map<Oriented> point_map;
-const double degree = std::acos(-1.) / 180;
+const double one_degree = std::acos(-1.) / 180;
 
 // Points of the unit sphere, evenly but without symmetry, each moved along its normal.
 std::vector<Oriented> sphere_points(std::size_t n, double noise)
@@ -87,8 +87,8 @@ void normals()
       largest = std::max(largest, angle(forms[i].normal_direction(), points[i].second));
     return largest;
   };
-  check_le(worst(forms_of(points, nearest(18), np)), .1 * degree, "normals from 18 neighbours");
-  check_le(worst(forms_of(points, within_radius(.25), np)), .1 * degree, "normals from a ball");
+  check_le(worst(forms_of(points, nearest(18), np)), .1 * one_degree, "normals from 18 neighbours");
+  check_le(worst(forms_of(points, within_radius(.25), np)), .1 * one_degree, "normals from a ball");
 
   std::vector<Oriented> theirs = points;
   CGAL::jet_estimate_normals<CGAL::Sequential_tag>(
@@ -96,7 +96,7 @@ void normals()
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     largest = std::max(largest, angle(theirs[i].second, points[i].second));
-  std::cout << "largest error of jet_estimate_normals with a radius: " << largest / degree << " degrees\n";
+  std::cout << "largest error of jet_estimate_normals with a radius: " << largest / one_degree << " degrees\n";
 }
 
 // Normals that are there, of any length, decide the sides.
