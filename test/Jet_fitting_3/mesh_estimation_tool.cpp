@@ -155,6 +155,11 @@ void check_round_trip()
   test::check_true(contents("torus.vtp").find("</VTKFile>") != std::string::npos, "the VTP file is complete");
   test::check_true(contents("directions.ply").find("element edge 2400") != std::string::npos,
                    "a segment for each vertex");
+
+  const Run read_again = run("torus.vtp -o torus_again.ply -a 3 -d 4 -q"); // by VTK, where the program has it
+  if (read_again.exit_code == 0)
+    test::check_true(contents("torus_again.ply") == contents("torus.ply"), "the same from the VTP file");
+  else test::check_true(read_again.err.find("without VTK") != std::string::npos, "VTP not read: " + read_again.err);
 }
 
 void check_old_options()

@@ -16,6 +16,9 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#ifdef CGAL_USE_VTK
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#endif
 
 #include <filesystem>
 #include <fstream>
@@ -134,7 +137,8 @@ try {
 #endif
   } else if (format == "vtp") {
 #ifdef CGAL_USE_VTK
-    mesh = read_mesh(file);
+    if (!CGAL::IO::read_polygon_mesh(file, mesh)) // CGAL has no soup of polygons from such a file
+      throw Input_error(file, "not a complete vtp file, or no manifold mesh");
 #else
     throw Input_error(file, "VTP files cannot be read: this program was compiled without VTK");
 #endif
