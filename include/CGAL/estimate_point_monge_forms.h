@@ -32,7 +32,7 @@
 namespace CGAL {
 
 /// \ingroup PkgJetFitting3All
-/// Estimates the Monge form at every point of a set, from the points in its neighbourhood: normal, principal curvatures
+/// Estimates the Monge form at every point of a set, from the points in its neighborhood: normal, principal curvatures
 /// and directions, and the derivatives of the curvatures.
 ///
 /// The point of evaluation is the point itself. With a normal map the forms are oriented: the normal n of the form lies
@@ -50,7 +50,7 @@ namespace CGAL {
 ///        - `degree_fitting` d, the degree of the jet (2)
 ///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d)
 ///        - `point_map` (the items are points)
-///        - `normal_map`, vectors of any length (none): orients the forms, and neighbourhoods keep to points whose
+///        - `normal_map`, vectors of any length (none): orients the forms, and neighborhoods keep to points whose
 ///          normals make less than 84 degrees with that of the point, so that they do not jump to another sheet
 ///        - `geom_traits`, the kernel (that of the points)
 ///        - `svd_traits`, a model of SvdTraits: always called, if given
@@ -59,10 +59,10 @@ namespace CGAL {
 /// \param options beyond named parameters
 ///
 /// \return how many were estimated, which were not, and why. Nothing is thrown for one bad point: its form is empty.
-///         Points with a coordinate that is not finite are skipped and left out of all neighbourhoods
+///         Points with a coordinate that is not finite are skipped and left out of all neighborhoods
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
 ///
-/// For n points with N neighbours each the fits take the time O(n N N_d^2), N_d = (d+1)(d+2)/2, the search about
+/// For n points with N neighbors each the fits take the time O(n N N_d^2), N_d = (d+1)(d+2)/2, the search about
 /// O(n (N + log n)). The range is only read, and may be used by other threads meanwhile.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Neighborhood, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -113,7 +113,7 @@ estimate_point_monge_forms(const PointRange& points, const Neighborhood& neighbo
   } else {
     using Search = Point_search<Kernel>;
     static_assert(std::is_invocable<const Neighborhood&, const Search&, Index, std::vector<Index>&>::value,
-                  "The neighbourhood is neither nearest nor within_radius, and cannot be called as "
+                  "The neighborhood is neither nearest nor within_radius, and cannot be called as "
                   "neighborhood(std::size_t, std::vector<std::size_t>&)");
     const Search search(setting.points(), setting.normals());
     run([&] { return [&](Index seed, std::vector<Index>& row) { neighborhood(search, seed, row); }; });

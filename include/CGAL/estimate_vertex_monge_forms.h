@@ -30,7 +30,7 @@
 namespace CGAL {
 
 /// \ingroup PkgJetFitting3All
-/// Estimates the Monge form at every vertex of a mesh, from the vertices in its neighbourhood: normal, principal
+/// Estimates the Monge form at every vertex of a mesh, from the vertices in its neighborhood: normal, principal
 /// curvatures and directions, and the derivatives of the curvatures.
 ///
 /// The point of evaluation is the vertex. Forms are oriented: the normal n of the form lies on the side of
@@ -51,8 +51,8 @@ namespace CGAL {
 ///        - `vertex_point_map` (the mesh's own)
 ///        - `vertex_index_map` (the mesh's own, if it has one)
 ///        - `vertex_normal_map`, vectors of any length, to orient the forms
-///        - `edge_is_constrained_map`: neighbourhoods do not cross the edges for which it is true. A vertex on such an
-///          edge belongs to both sides, and its own neighbourhood is the side with the widest angle. Constrained border
+///        - `edge_is_constrained_map`: neighborhoods do not cross the edges for which it is true. A vertex on such an
+///          edge belongs to both sides, and its own neighborhood is the side with the widest angle. Constrained border
 ///          edges have no effect
 ///        - `geom_traits`, the kernel (that of the points)
 ///        - `svd_traits`, a model of SvdTraits: always called, if given
@@ -61,10 +61,10 @@ namespace CGAL {
 /// \param options beyond named parameters
 ///
 /// \return how many were estimated, which were not, and why. Nothing is thrown for one bad vertex: its form is empty.
-///         Vertices with a coordinate that is not finite are skipped and left out of all neighbourhoods
+///         Vertices with a coordinate that is not finite are skipped and left out of all neighborhoods
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
 ///
-/// The time is O(n N N_d^2) for n vertices with N neighbours each and N_d = (d+1)(d+2)/2. Besides the output about
+/// The time is O(n N N_d^2) for n vertices with N neighbors each and N_d = (d+1)(d+2)/2. Besides the output about
 /// 60 bytes per vertex are needed. The mesh is only read, and may be used by other threads meanwhile.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighborhood, class VertexFormMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -113,7 +113,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
     run([&] { return Own_gatherer<Setting, vertex_descriptor, Neighborhood>(setting, neighborhood); });
   } else {
     static_assert(std::is_invocable<const Neighborhood&, Mesh_growth<Kernel>&, Index, std::vector<Index>&>::value,
-                  "The neighbourhood is none of k_rings, enough_rings, nearest, within_radius, and cannot be called as "
+                  "The neighborhood is none of k_rings, enough_rings, nearest, within_radius, and cannot be called as "
                   "neighborhood(vertex_descriptor, std::vector<vertex_descriptor>&)");
     run([&] {
       return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(),

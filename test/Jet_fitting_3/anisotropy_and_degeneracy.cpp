@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Narrow neighbourhoods cost no digits; samples that do not determine a jet are told, and give the smallest one.
+// Narrow neighborhoods cost no digits; samples that do not determine a jet are told, and give the smallest one.
 
 #include "check.h"
 #include "reference_fit.h"

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tables of neighbourhoods: a row is what the class says about the same points; noise and bias show where they should.
+// Tables of neighborhoods: a row is what the class says about the same points; noise and bias show where they should.
 
 #include "analytic_meshes.h"
 #include "check.h"
@@ -90,7 +90,7 @@ void one_vertex_or_point()
   Vertex_gatherer<Mesh> gather(mesh);
   std::vector<Vertex> row;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    check_equal(table[i].neighborhood, i / 3, "neighbourhood of row " + text(i));
+    check_equal(table[i].neighborhood, i / 3, "neighborhood of row " + text(i));
     check_equal(table[i].degree, degrees[i % 3], "degree of row " + text(i));
     gather(rings[i / 3], v, row);
     std::vector<Kernel::Point_3> points;

@@ -156,7 +156,7 @@ struct Saddle_mesh
   }
 };
 
-// The neighbourhood: a function object that can be copied and called, and no more.
+// The neighborhood: a function object that can be copied and called, and no more.
 struct Whole_mesh
 {
   explicit Whole_mesh(const Mesh& mesh) : m_mesh(&mesh) {}
@@ -192,7 +192,7 @@ void the_mesh_door()
   check_ge(forms[std::size_t(saddle.center)].normal_direction().z(), 0.99, "mesh door: the given normals");
 
   summary = CGAL::estimate_vertex_monge_forms(saddle.mesh, Whole_mesh(saddle.mesh), form_map, np);
-  check_saddle(forms[std::size_t(saddle.center)], 1e-3, "mesh door, a neighbourhood of the user's own");
+  check_saddle(forms[std::size_t(saddle.center)], 1e-3, "mesh door, a neighborhood of the user's own");
 
   CGAL::estimate_vertex_monge_forms(saddle.mesh, k_rings(3), form_map,
                                     CGAL::parameters::vertex_point_map(points).degree_fitting(3).svd_traits(
@@ -233,7 +233,7 @@ void the_point_door()
     for (std::size_t i = 0; i < items.size(); ++i) found.push_back(i);
   };
   CGAL::estimate_point_monge_forms(items, all, output, np);
-  check_saddle(of_center, 1e-3, "point door, a neighbourhood of the user's own");
+  check_saddle(of_center, 1e-3, "point door, a neighborhood of the user's own");
 }
 
 struct Without_solve : archetype::Svd_traits
@@ -250,7 +250,7 @@ static_assert(Is_svd_traits<Jacobi_svd<float>>::value, "a model of SvdTraits");
 static_assert(!Is_svd_traits<int>::value, "int is no model of SvdTraits");
 static_assert(!Is_svd_traits<Without_solve>::value, "SvdTraits without solve(M, B)");
 static_assert(!Is_svd_traits<Without_matrix>::value, "SvdTraits without a matrix");
-static_assert(internal::Is_own_neighborhood<Whole_mesh, Vertex>::value, "a neighbourhood of the user's own");
+static_assert(internal::Is_own_neighborhood<Whole_mesh, Vertex>::value, "a neighborhood of the user's own");
 static_assert(!internal::Is_own_neighborhood<int, Vertex>::value, "int is no Neighborhood");
 static_assert(!internal::Is_own_neighborhood<decltype(k_rings(2)), Vertex>::value,
               "k_rings has an interface of its own");

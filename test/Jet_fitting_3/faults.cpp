@@ -217,7 +217,7 @@ void exceptions(const std::string& name)
             },
             forms, nothing);
       },
-      sequential, name + "neighbourhood");
+      sequential, name + "neighborhood");
   check_propagates(
       [&](Mine& mine) {
         Options options;

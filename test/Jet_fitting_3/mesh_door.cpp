@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The mesh door: truth on analytic meshes, orientation, every reason for a skipped vertex, named parameters, options,
-// the user's own neighbourhood, progress and cancelling, exact and float meshes.
+// the user's own neighborhood, progress and cancelling, exact and float meshes.
 
 #include "analytic_meshes.h"
 #include "check.h"
@@ -50,7 +50,7 @@ Form_map forms_of(Mesh& mesh) { return mesh.add_property_map<Vertex, Form>("v:fo
 Point as_point(const Kernel::Point_3& p) { return Point(p.x(), p.y(), p.z()); }
 Point as_point(const Kernel::Vector_3& v) { return Point(v.x(), v.y(), v.z()); }
 
-// Theorem 2.1, in the largest distance h to a neighbour, where the lengths of the surface are of order one.
+// Theorem 2.1, in the largest distance h to a neighbor, where the lengths of the surface are of order one.
 void check_truth(const Analytic_mesh& surface, int k, std::size_t d)
 {
   Mesh mesh = made(surface);
@@ -360,7 +360,7 @@ void scattered_vertices()
              "scattered vertices: the status of each");
 }
 
-// The least that a user's own neighbourhood may be: two rings in any order, the vertex itself somewhere or nowhere.
+// The least that a user's own neighborhood may be: two rings in any order, the vertex itself somewhere or nowhere.
 struct Own_neighborhood
 {
   const Mesh* mesh;
@@ -382,15 +382,15 @@ void own_neighborhoods()
   const std::vector<Form> expected(forms.begin(), forms.end());
   for (int kind : {0, 1, 2}) {
     const auto summary = CGAL::estimate_vertex_monge_forms(mesh, Own_neighborhood{&mesh, kind}, forms);
-    check_equal(summary.estimated, mesh.number_of_vertices() + std::size_t(0), "own neighbourhood: all are estimated");
+    check_equal(summary.estimated, mesh.number_of_vertices() + std::size_t(0), "own neighborhood: all are estimated");
     for (Vertex v : mesh.vertices())
-      check_same_form(forms[v], expected[v], 0.5, "own neighbourhood " + text(kind) + ", vertex " + text(v));
+      check_same_form(forms[v], expected[v], 0.5, "own neighborhood " + text(kind) + ", vertex " + text(v));
   }
   check_throws<Invalid_input>(
       [&] {
         CGAL::estimate_vertex_monge_forms(mesh, Own_neighborhood{&mesh, 3}, forms);
       },
-      {"neighbourhood", "0"}, "a neighbourhood with a vertex that does not exist");
+      {"neighborhood", "0"}, "a neighborhood with a vertex that does not exist");
   const auto lambda = [&](Vertex v, std::vector<Vertex>& found) { found = rings_around(mesh, v, 1); };
   check_equal(CGAL::estimate_vertex_monge_forms(mesh, lambda, forms).estimated, std::size_t(600), "a lambda");
 }

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Neighbourhoods of the vertices of a mesh: the right vertices, the vertex itself first, nothing beyond sharp edges and
+// Neighborhoods of the vertices of a mesh: the right vertices, the vertex itself first, nothing beyond sharp edges and
 // on opposite sheets, no allocation once the buffers have grown.
 
 #include "analytic_meshes.h"
@@ -260,7 +260,7 @@ void sharp_edges()
                                   gathered(gather, nearest(12), v), gathered(gather, within_radius(0.4), v)}) {
       check_equal(found.front(), v, what + ": the vertex comes first");
       check_true(share_a_side(found), what + ": all on one side of the cube");
-      check_ge(found.size(), std::size_t(6), what + ": its neighbours on that side");
+      check_ge(found.size(), std::size_t(6), what + ": its neighbors on that side");
     }
   }
   // End points belong to both sides: three rings of a vertex one edge inside hold vertices of the edge.
@@ -274,7 +274,7 @@ void sharp_edges()
   Vertex_gatherer<Mesh> gather_all(mesh);
   std::size_t crossing = 0;
   for (Vertex v : mesh.vertices()) crossing += !share_a_side(gathered(gather_all, k_rings(3), v));
-  check_ge(crossing, std::size_t(100), "neighbourhoods that cross the edges where these are not constrained");
+  check_ge(crossing, std::size_t(100), "neighborhoods that cross the edges where these are not constrained");
 }
 
 // The smooth patches that meet at each vertex: faces connected by edges with a dihedral angle of less than 30 degrees.
@@ -329,14 +329,13 @@ void fandisk()
   std::size_t crossing = 0;
   for (Vertex v : mesh.vertices()) {
     for (const Vertices& found : {gathered(gather, k_rings(3), v), gathered(gather, nearest(20), v)})
-      check_true(share_a_patch(found), "fandisk: the neighbourhood of vertex " + text(v) + " is on one smooth patch");
+      check_true(share_a_patch(found), "fandisk: the neighborhood of vertex " + text(v) + " is on one smooth patch");
     crossing += !share_a_patch(gathered(gather_all, k_rings(3), v));
   }
-  check_ge(crossing, std::size_t(500),
-           "fandisk: neighbourhoods that cross sharp edges where these are not constrained");
+  check_ge(crossing, std::size_t(500), "fandisk: neighborhoods that cross sharp edges where these are not constrained");
 }
 
-// A sharp line that ends inside the surface: growth goes around its end, and a vertex at the end has all neighbours.
+// A sharp line that ends inside the surface: growth goes around its end, and a vertex at the end has all neighbors.
 void open_sharp_line()
 {
   const std::size_t n = 11;
@@ -348,7 +347,7 @@ void open_sharp_line()
   Vertex_gatherer<Mesh, std::decay_t<decltype(np)>> gather(mesh, np);
 
   check_equal(gathered(gather, k_rings(1), at(5, 5)).size(), std::size_t(7),
-              "all neighbours at the end of a sharp line");
+              "all neighbors at the end of a sharp line");
   const auto beside = as_set(gathered(gather, k_rings(2), at(2, 4)));
   check_equal(beside.count(at(2, 5)), std::size_t(1), "vertices on the line are taken");
   check_equal(beside.count(at(2, 6)), std::size_t(0), "the line is not crossed");
@@ -377,7 +376,7 @@ void odd_vertices()
     for (const Vertices& found :
          {gathered(gather, k_rings(3), v), gathered(gather, nearest(15), v), gathered(gather, within_radius(0.3), v)})
       check_true(std::none_of(found.begin(), found.end(), [&](Vertex w) { return w == far || mesh.is_removed(w); }),
-                 "vertices that are removed or not finite are no neighbours");
+                 "vertices that are removed or not finite are no neighbors");
   }
   check_ge(gathered(gather, k_rings(1), next_to_it).size(), std::size_t(4), "beside a vertex that is not finite");
   check_throws<Invalid_input>([&] { gathered(gather, k_rings(1), Vertex(40)); }, {"vertex"}, "a removed vertex");

@@ -35,7 +35,7 @@ using Fit = CGAL::Monge_via_jet_fitting<Kernel>;
 using Form = Fit::Monge_form;
 using Indices = std::vector<std::size_t>;
 
-// A torus with noise and outliers, in an irregular triangulation: neighbourhoods of different sizes share a pack.
+// A torus with noise and outliers, in an irregular triangulation: neighborhoods of different sizes share a pack.
 const Mesh& noisy_torus()
 {
   static const Mesh mesh = [] {

@@ -132,11 +132,11 @@ void progress(const Mesh& mesh)
   check_throws<std::runtime_error>([&] { run([](double) -> bool { throw std::runtime_error("from the callback"); }); },
                                    {"from the callback"}, "an exception from the callback");
   const auto own = [](Vertex v, std::vector<Vertex>&) {
-    if (v == Vertex(9000)) throw std::runtime_error("from the neighbourhood");
+    if (v == Vertex(9000)) throw std::runtime_error("from the neighborhood");
   };
   check_throws<std::runtime_error>(
       [&] { CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(mesh, own, boost::make_assoc_property_map(forms)); },
-      {"from the neighbourhood"}, "an exception from a user's neighbourhood");
+      {"from the neighborhood"}, "an exception from a user's neighborhood");
 }
 
 int main()

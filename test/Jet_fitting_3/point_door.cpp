@@ -177,7 +177,7 @@ void orientation()
       check_near(forms[i].principal_curvatures(j), i % 2 == 0 ? -1. : 1., 0.05, "k of a sphere by the given normal");
 }
 
-// Two sheets that are closer than the ball is wide, and than the nearest neighbours reach.
+// Two sheets that are closer than the ball is wide, and than the nearest neighbors reach.
 void slab()
 {
   using With_normal = std::pair<Point_3, Vector_3>;
@@ -283,7 +283,7 @@ void bad_arguments()
   check_throws<Invalid_input>([&] { forms_of(points, nearest(12), CGAL::parameters::degree_fitting(0)); },
                               {"degree_fitting", "0"}, "degree 0");
   const auto beyond = [](std::size_t, std::vector<std::size_t>& found) { found = {0, 20}; };
-  check_throws<Invalid_input>([&] { forms_of(points, beyond); }, {"neighbourhood"}, "a position beyond the range");
+  check_throws<Invalid_input>([&] { forms_of(points, beyond); }, {"neighborhood"}, "a position beyond the range");
 }
 
 void extreme_lengths()

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Normals and smoothing of point sets by the point door, with nearest neighbours and with a radius: the jobs of
+// Normals and smoothing of point sets by the point door, with nearest neighbors and with a radius: the jobs of
 // CGAL::jet_estimate_normals and CGAL::jet_smooth_point_set, which are run beside it.
 
 #include "analytic_meshes.h"
@@ -87,7 +87,7 @@ void normals()
       largest = std::max(largest, angle(forms[i].normal_direction(), points[i].second));
     return largest;
   };
-  check_le(worst(forms_of(points, nearest(18), np)), .1 * one_degree, "normals from 18 neighbours");
+  check_le(worst(forms_of(points, nearest(18), np)), .1 * one_degree, "normals from 18 neighbors");
   check_le(worst(forms_of(points, within_radius(.25), np)), .1 * one_degree, "normals from a ball");
 
   std::vector<Oriented> theirs = points;
@@ -105,7 +105,7 @@ void orientation()
   std::vector<Oriented> points = sphere_points(1000, 1e-3);
   for (std::size_t i = 0; i < points.size(); i += 3) points[i].second = -.01 * points[i].second;
   const auto np = CGAL::parameters::point_map(point_map).normal_map(Normal_map());
-  // neighbourhoods keep to normals of one side: those of the points turned inwards are spread thin
+  // neighborhoods keep to normals of one side: those of the points turned inwards are spread thin
   const std::vector<Monge_form> forms = forms_of(points, nearest(18), np);
   for (std::size_t i = 0; i < points.size(); ++i)
     check_ge(forms[i].normal_direction() * points[i].second, 0., "the side of the normal of point " + text(i));

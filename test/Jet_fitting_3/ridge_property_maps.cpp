@@ -145,7 +145,7 @@ void values()
                                                  {"degree_monge", "2"}, "forms of degree 2");
 }
 
-// Vertices that cannot be estimated have the values of a neighbour; CGAL's functions stay in defined behaviour.
+// Vertices that cannot be estimated have the values of a neighbor; CGAL's functions stay in defined behaviour.
 void bad_vertices()
 {
   Surface_mesh mesh;
@@ -159,7 +159,7 @@ void bad_vertices()
   for (Vertex v : vertices_around_target(mesh.halfedge(bad), mesh))
     is_that_of_a_neighbor =
         is_that_of_a_neighbor || (get(maps.b0, v) == get(maps.b0, bad) && get(maps.d1, v) == get(maps.d1, bad));
-  check_true(is_that_of_a_neighbor, "a bad vertex has the values of a neighbour");
+  check_true(is_that_of_a_neighbor, "a bad vertex has the values of a neighbor");
   check_true(!maps.is_estimated(bad) && !maps.is_estimated(isolated) && maps.is_estimated(Vertex(0)),
              "which values are their own");
   check_equal(get(maps.k1, isolated), 0., "an isolated vertex has none");

@@ -20,7 +20,7 @@
 namespace test {
 
 // The same form to rounding: for each order the difference is small beside the largest coefficient of any order there,
-// in the length unit `size` of the neighbourhood.
+// in the length unit `size` of the neighborhood.
 template <class Form>
 void check_same_form(const Form& form, const Form& expected, double size, const std::string& what)
 {

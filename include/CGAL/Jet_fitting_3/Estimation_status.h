@@ -19,7 +19,7 @@ enum class Status_flag : std::uint16_t
 {
   /// A form was written. Without it: skipped, for one of the next four reasons; or not reached, if nothing is set.
   estimated = 1,
-  /// No point in the neighbourhood but the vertex itself.
+  /// No point in the neighborhood but the vertex itself.
   isolated = 2,
   /// A coordinate, or a result, is infinite or not a number.
   not_finite = 4,

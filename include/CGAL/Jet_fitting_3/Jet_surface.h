@@ -73,7 +73,7 @@ public:
   /// The surface z = g(x, y) of a Monge form over its tangent plane, u and v running along d1 and d2: for the forms of
   /// whole meshes and point sets. It agrees with the fitted one up to the degree d' of the form.
   /// \param form not empty
-  /// \param radius in length: of the neighbourhood from which the form was estimated
+  /// \param radius in length: of the neighborhood from which the form was estimated
   /// \throw Invalid_input if the radius is not positive and finite, or the form is empty
   Jet_surface(const Monge_form& form, const FT& radius)
     : Jet_surface(form.origin(), axes_of(form), jet_of(form), checked_radius(radius))

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // libFuzzer harness for the mesh door: small meshes with isolated and removed vertices, degenerate faces, any
-// coordinates, any neighbourhood. Every vertex has a status, and forms are sound or empty.
+// coordinates, any neighborhood. Every vertex has a status, and forms are sound or empty.
 
 #include "fuzz.h"
 

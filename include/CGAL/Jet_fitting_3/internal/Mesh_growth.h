@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Grows neighbourhoods over the edges of a mesh. One object per thread: it owns the marks of visited vertices and the
+/// Grows neighborhoods over the edges of a mesh. One object per thread: it owns the marks of visited vertices and the
 /// queue, which are reused, so that gathering allocates nothing once they have grown to their size.
 ///
-/// Every function appends the seed and then its neighbours, in the order in which they are reached. Growth by distance
+/// Every function appends the seed and then its neighbors, in the order in which they are reached. Growth by distance
 /// ends before vertices that face away from the seed.
 template <class Kernel>
 class Mesh_growth
@@ -133,7 +133,7 @@ private:
     return true;
   }
 
-  /// Takes all new neighbours of the nodes from place `inner` on, and returns the place where they begin.
+  /// Takes all new neighbors of the nodes from place `inner` on, and returns the place where they begin.
   std::size_t add_ring(std::size_t inner)
   {
     const std::size_t outer = m_size;
@@ -173,7 +173,7 @@ private:
     else std::copy(begin, end, to);
   }
 
-  /// Of the seed and its neighbours together, because a single normal of a noisy mesh may point anywhere.
+  /// Of the seed and its neighbors together, because a single normal of a noisy mesh may point anywhere.
   Vector_3<float> normal_around(Index seed) const
   {
     Vector_3<float> sum = m_normals[seed];

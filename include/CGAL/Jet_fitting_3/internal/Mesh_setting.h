@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// How vertices are numbered. Where neighbours are far apart in the order of a large mesh, renumbering them saves more
+/// How vertices are numbered. Where neighbors are far apart in the order of a large mesh, renumbering them saves more
 /// time than it takes.
 enum class Vertex_order
 {

@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Whether a neighbourhood is a user's own: called as neighborhood(item, items).
+/// Whether a neighborhood is a user's own: called as neighborhood(item, items).
 template <class Neighborhood, class Item>
 using Is_own_neighborhood = std::is_invocable<Neighborhood&, const Item&, std::vector<Item>&>;
 
-/// A user's own neighbourhood, as numbers. Whatever it gives, the item itself comes first, and once; items that are not
+/// A user's own neighborhood, as numbers. Whatever it gives, the item itself comes first, and once; items that are not
 /// finite are left out. Each thread has a copy.
 template <class Setting, class Item, class Neighborhood>
 class Own_gatherer
@@ -42,7 +42,7 @@ public:
     for (const Item& item : m_found) {
       const Index i = m_setting->index(item);
       if (i == no_index)
-        throw Invalid_input("the neighbourhood of vertex or point number " + std::to_string(seed) +
+        throw Invalid_input("the neighborhood of vertex or point number " + std::to_string(seed) +
                             " holds one that does not belong to the mesh or range");
       if (i != seed && m_setting->points().is_finite(i)) row.push_back(i);
     }

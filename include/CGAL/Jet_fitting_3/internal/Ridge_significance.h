@@ -88,7 +88,7 @@ private:
     return largest;
   }
 
-  /// The neighbour of v that lies best in a direction.
+  /// The neighbor of v that lies best in a direction.
   Index neighbor(Index v, const Real_vector& direction) const
   {
     Index best = no_index;

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// How many neighbourhoods are gathered before they are fitted. Fixed, so that the results are the same bits whatever
+/// How many neighborhoods are gathered before they are fitted. Fixed, so that the results are the same bits whatever
 /// the number of threads.
 constexpr std::size_t block_size = 1024;
 
@@ -31,7 +31,7 @@ using Progress = std::function<bool(double)>;
 
 /// Gathers, fits, orients and stores block after block.
 ///
-/// \param make_gather() makes, for each thread, a function object: gather(i, row) appends the neighbourhood of i
+/// \param make_gather() makes, for each thread, a function object: gather(i, row) appends the neighborhood of i
 /// \param fit(block, fits), a Block_fitter; each thread works with a copy
 /// \param orient(i, form)
 /// \param store(first, fits) is called by one thread at a time, but the blocks come in any order

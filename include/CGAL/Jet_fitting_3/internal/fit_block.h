@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Neighbourhoods of consecutive vertices: a row of point numbers each, the point of evaluation first.
+/// Neighborhoods of consecutive vertices: a row of point numbers each, the point of evaluation first.
 class Neighborhood_block
 {
 public:
@@ -266,7 +266,7 @@ private:
         set(
             result, estimate.details(), std::size_t(end - begin), [&] { return estimate.condition_number(); },
             m_points[*begin]);
-    } catch (const Invalid_input&) { // neighbours too far away for a double
+    } catch (const Invalid_input&) { // neighbors too far away for a double
       result.status = Status_flag::not_finite;
     }
     return result;

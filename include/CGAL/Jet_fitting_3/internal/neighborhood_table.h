@@ -47,7 +47,7 @@ inline double error_of_order(std::size_t order, const Standard_errors<double>& e
   return std::sqrt(sum / double(last - first));
 }
 
-/// Fits jets to neighbourhoods of single vertices or points.
+/// Fits jets to neighborhoods of single vertices or points.
 template <class Setting>
 class Neighborhood_fitter
 {
@@ -86,13 +86,13 @@ public:
 
 private:
   const Setting& m_setting;
-  const std::vector<double>& m_point_weights; // of all; m_options holds those of the neighbourhood
+  const std::vector<double>& m_point_weights; // of all; m_options holds those of the neighborhood
   Fit_options m_options;
   std::vector<typename Kernel::Point_3> m_points;
   double m_radius = 0;
 };
 
-/// What the sample says about one neighbourhood and one degree.
+/// What the sample says about one neighborhood and one degree.
 struct Quality_samples
 {
   std::vector<double> points, radius, noise, condition_number, normal_error, k_error, b_error, c_error, k_change;
@@ -116,7 +116,7 @@ struct Quality_samples
     k_change.push_back(change_of_curvatures(fitter, d, estimate.details().coefficients));
   }
 
-  /// On neighbourhoods that are balanced around p an odd order hardly changes the even ones below it.
+  /// On neighborhoods that are balanced around p an odd order hardly changes the even ones below it.
   template <class Setting>
   static double change_of_curvatures(const Neighborhood_fitter<Setting>& fitter, std::size_t d,
                                      const Monge_coefficients<double>& k)
@@ -148,7 +148,7 @@ struct Quality_samples
   }
 };
 
-/// \param gather(neighborhood, seed, row) appends a neighbourhood, the seed first
+/// \param gather(neighborhood, seed, row) appends a neighborhood, the seed first
 template <class Setting, class Neighborhood, class Gather>
 std::vector<Neighborhood_quality> neighborhood_table(const Setting& setting, const std::vector<Index>& seeds,
                                                      const std::vector<Neighborhood>& neighborhoods,

@@ -13,11 +13,11 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// How well one neighbourhood and one degree do on a sample of the vertices of a mesh or of the points of a point set:
+/// How well one neighborhood and one degree do on a sample of the vertices of a mesh or of the points of a point set:
 /// medians over those with enough points for the degree, and in general position. A row of the tables that
 /// compare_vertex_neighborhoods() and compare_point_neighborhoods() make.
 ///
-/// How to read a table. As neighbourhoods grow, the errors fall, for there is more to average; and `noise`, an estimate
+/// How to read a table. As neighborhoods grow, the errors fall, for there is more to average; and `noise`, an estimate
 /// of one and the same thing, stays as it is. When it begins to grow, the surface is no longer a jet of that degree:
 /// bias takes over, of which the errors know nothing. `k_change` says how much of it is in k: noise alone makes it about
 /// as large as `k_error` in the row of the next even degree, and what is above that is bias. The best row is near the
@@ -27,7 +27,7 @@ struct Neighborhood_quality
   std::size_t neighborhood; ///< its place in the list that was given
   std::size_t degree;       ///< d
   std::size_t fits;         ///< number of vertices or points that the medians are over
-  double number_of_points;  ///< in a neighbourhood
+  double number_of_points;  ///< in a neighborhood
   double radius;            ///< distance of the farthest point
   double noise;            ///< length: standard deviation of the heights, from the residuals and the degrees of freedom
   double condition_number; ///< of the fit

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// Gathers neighbourhoods of single vertices: what estimate_vertex_monge_forms() does for all.
+/// Gathers neighborhoods of single vertices: what estimate_vertex_monge_forms() does for all.
 /// The mesh is copied into compact tables once, in linear time; it must not change as long as the object is used. Each
 /// thread needs an object of its own.
 ///
@@ -46,7 +46,7 @@ public:
   Vertex_gatherer(const Vertex_gatherer&) = delete;
   Vertex_gatherer& operator=(const Vertex_gatherer&) = delete;
 
-  /// Replaces the contents of `vertices` by the neighbourhood of v, v itself first.
+  /// Replaces the contents of `vertices` by the neighborhood of v, v itself first.
   /// \param neighborhood k_rings(), enough_rings(), nearest() or within_radius()
   /// \param v a vertex of the mesh
   /// \param vertices the result, whose storage is used again

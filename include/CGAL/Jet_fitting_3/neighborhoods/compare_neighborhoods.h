@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// Help with the choice of neighbourhood and degree, which decides more than anything else about the result: residual,
-/// condition number and standard errors for each of several neighbourhoods and degrees, so that one sees where bias
+/// Help with the choice of neighborhood and degree, which decides more than anything else about the result: residual,
+/// condition number and standard errors for each of several neighborhoods and degrees, so that one sees where bias
 /// takes over from noise. Neighborhood_quality says how to read the table.
 ///
 /// \param mesh a model of FaceListGraph and HalfedgeListGraph
@@ -37,7 +37,7 @@ namespace Jet_fitting {
 /// \param options weights and robust loss
 /// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
 ///        estimate_vertex_monge_forms()
-/// \return a row for each neighbourhood and degree, the degree running faster
+/// \return a row for each neighborhood and degree, the degree running faster
 /// \throw Invalid_input if a degree is 0, a vertex does not belong to the mesh, or a weight is negative or not finite
 ///
 /// Linear in the size of the mesh, and in the number of fits.
@@ -69,7 +69,7 @@ compare_vertex_neighborhoods(const Mesh& mesh, const VertexRange& sample,
 /// \param degrees such as `{2, 3, 4}`
 /// \param options weights and robust loss
 /// \param np point_map, normal_map, geom_traits, as for estimate_point_monge_forms()
-/// \return a row for each neighbourhood and degree, the degree running faster
+/// \return a row for each neighborhood and degree, the degree running faster
 /// \throw Invalid_input if a degree is 0, a number is not that of a point, or a weight is negative or not finite
 template <class PointRange, class NumberRange, class Neighborhood,
           class NamedParameters = parameters::Default_named_parameters>

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// A neighbourhood of a vertex of a mesh: see enough_rings().
+/// A neighborhood of a vertex of a mesh: see enough_rings().
 class Enough_rings
 {
 public:

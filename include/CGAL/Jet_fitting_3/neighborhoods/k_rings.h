@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// A neighbourhood of a vertex of a mesh: see k_rings().
+/// A neighborhood of a vertex of a mesh: see k_rings().
 class K_rings
 {
 public:
@@ -41,7 +41,7 @@ private:
 };
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// The vertices at most k edges away. All of them: an incomplete last ring would make the neighbourhood one-sided. On
+/// The vertices at most k edges away. All of them: an incomplete last ring would make the neighborhood one-sided. On
 /// a triangle mesh with vertices of degree 6 that is 1 + 3k(k+1) points: 7, 19, 37, 61.
 /// \throw Invalid_input if k < 1
 inline K_rings k_rings(std::ptrdiff_t k) { return K_rings(k); }

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// A neighbourhood of a vertex of a mesh or of a point of a point set: see nearest().
+/// A neighborhood of a vertex of a mesh or of a point of a point set: see nearest().
 class Nearest
 {
 public:
@@ -45,7 +45,7 @@ private:
 ///
 /// Of a point set: points at the same place count as one, so that duplicates do no harm.
 /// On a mesh: the k vertices first reached by growing over the edges, always to the closest vertex next to what has
-/// been reached. The neighbourhood is connected, hence does not jump to another sheet of the surface.
+/// been reached. The neighborhood is connected, hence does not jump to another sheet of the surface.
 /// Points whose normal makes more than 84 degrees with the normal here (on a mesh: the mean normal here and at the
 /// adjacent vertices) lie on an opposite sheet and are left out, where normals are known.
 /// \throw Invalid_input if k < 1

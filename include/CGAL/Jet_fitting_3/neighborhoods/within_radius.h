@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Neighborhoods
-/// A neighbourhood of a vertex of a mesh or of a point of a point set: see within_radius().
+/// A neighborhood of a vertex of a mesh or of a point of a point set: see within_radius().
 class Within_radius
 {
 public:

@@ -60,7 +60,7 @@ FT root_between(const Polynomial<FT>& p, const Polynomial<FT>& slope, FT low, FT
 }
 
 /// The places in [0, 1] where p changes its sign, in ascending order, and 0 or 1 if p is zero there.
-/// Between two neighbouring roots of its derivative p is monotone: so the roots are found derivative by derivative.
+/// Between two neighboring roots of its derivative p is monotone: so the roots are found derivative by derivative.
 /// A root where p only touches zero may be missed.
 template <class FT>
 Polynomial<FT> roots_in_unit_interval(const Polynomial<FT>& p)
