@@ -45,7 +45,7 @@ template <class T, int lanes>
 struct Register_of
 {
 #if defined(__GNUC__)
-  typedef T type __attribute__((vector_size(lanes * sizeof(T))));
+  using type __attribute__((vector_size(lanes * sizeof(T)))) = T;
 #else
   struct type
   {

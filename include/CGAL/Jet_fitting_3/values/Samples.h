@@ -110,7 +110,7 @@ private:
 
   std::size_t m_size = 0, m_padded_size = 0;
   bool m_is_weighted = false;
-  numeric::Buffer<FT, 4 * 128> m_table;
+  numeric::Buffer<FT, 512> m_table; // four times 128 samples
 };
 
 /// \ingroup PkgJetFitting3Steps
