@@ -70,7 +70,7 @@ FT larger(const FT& a, const Plain<FT>& b)
 template <class FT>
 auto is_finite(const FT& x)
 {
-  return FT(x - x) == FT(0);
+  return FT(x - x) == FT(0); // NOLINT(misc-redundant-expression)
 }
 
 /// The plain numbers that an FT consists of: itself, or the lanes of a Pack.
