@@ -47,19 +47,23 @@ inline void check_readable(const std::string& file)
   if (in.get() == std::ifstream::traits_type::eof()) throw Input_error(file, "the file is empty");
 }
 
-// CGAL's reader of PLY files takes it for granted that properties belong to an element.
+// CGAL's reader of PLY files takes it for granted that properties belong to an element and coordinates are floating.
 inline void check_ply_header(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
-  bool has_element = false;
+  std::string element;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
-    std::string keyword;
+    std::string keyword, type, name;
     words >> keyword;
-    if (keyword.compare(0, 8, "property") == 0 && !has_element)
-      throw Input_error(file, "not a PLY file: a property without an element");
-    has_element = has_element || keyword == "element";
-    if (has_element || keyword == "end_header") return;
+    if (keyword == "end_header") return;
+    if (keyword == "element") words >> element;
+    if (keyword.compare(0, 8, "property") != 0) continue;
+    if (element.empty()) throw Input_error(file, "not a PLY file: a property without an element");
+    words >> type >> name;
+    if (element != "face" && is_one_of(name, {"x", "y", "z"}) &&
+        !is_one_of(type, {"float", "float32", "double", "float64"}))
+      throw Input_error(file, "coordinates of type " + type + ": only float and double are read");
   }
 }
 
