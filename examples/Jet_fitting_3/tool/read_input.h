@@ -47,11 +47,12 @@ inline void check_readable(const std::string& file)
   if (in.get() == std::ifstream::traits_type::eof()) throw Input_error(file, "the file is empty");
 }
 
-// CGAL's reader of PLY files takes it for granted that properties belong to an element and coordinates are floating.
+// CGAL's reader of PLY files takes it for granted that properties belong to an element, and that the coordinates of a
+// vertex, and those of its normal, are of one floating type.
 inline void check_ply_header(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
-  std::string element;
+  std::string element, point_type, normal_type;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string keyword, type, name;
@@ -61,9 +62,16 @@ inline void check_ply_header(const std::string& file)
     if (keyword.compare(0, 8, "property") != 0) continue;
     if (element.empty()) throw Input_error(file, "not a PLY file: a property without an element");
     words >> type >> name;
-    if (element != "face" && is_one_of(name, {"x", "y", "z"}) &&
-        !is_one_of(type, {"float", "float32", "double", "float64"}))
-      throw Input_error(file, "coordinates of type " + type + ": only float and double are read");
+    const bool is_point = is_one_of(name, {"x", "y", "z"}), is_normal = is_one_of(name, {"nx", "ny", "nz"});
+    if (element == "face" || !(is_point || is_normal)) continue;
+    const std::string size = is_one_of(type, {"float", "float32"})    ? "float"
+                             : is_one_of(type, {"double", "float64"}) ? "double"
+                                                                      : "";
+    std::string& first_size = is_point ? point_type : normal_type;
+    if (first_size.empty()) first_size = size;
+    if (size.empty() || size != first_size)
+      throw Input_error(file, "property " + name + " of type " + type +
+                                  ": the coordinates of points, and of normals, must all be float or all double");
   }
 }
 
