@@ -47,8 +47,8 @@ inline void check_readable(const std::string& file)
   if (in.get() == std::ifstream::traits_type::eof()) throw Input_error(file, "the file is empty");
 }
 
-// CGAL's reader of PLY files takes it for granted that properties belong to an element, and that the coordinates of a
-// vertex, and those of its normal, are of one floating type.
+// CGAL's reader of PLY files takes it for granted that properties belong to an element, that the coordinates of a vertex,
+// and those of its normal, are of one floating type, and that there are as many elements as the header says.
 inline void check_ply_header(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
@@ -58,7 +58,9 @@ inline void check_ply_header(const std::string& file)
     std::string keyword, type, name;
     words >> keyword;
     if (keyword == "end_header") return;
-    if (keyword == "element") words >> element;
+    double count = 0;
+    if (keyword == "element" && words >> element >> count && count > double(std::filesystem::file_size(file)))
+      throw Input_error(file, "cut short: more elements '" + element + "' than bytes");
     if (keyword.compare(0, 8, "property") != 0) continue;
     if (element.empty()) throw Input_error(file, "not a PLY file: a property without an element");
     words >> type >> name;
