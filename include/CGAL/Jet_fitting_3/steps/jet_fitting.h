@@ -10,7 +10,6 @@
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
 #include <CGAL/Jet_fitting_3/numeric/Row_block.h>
-#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
