@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
 #include <CGAL/Jet_fitting_3/internal/Own_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/estimate_blocks.h>
+#include <CGAL/Jet_fitting_3/internal/prefetch.h>
 #include <CGAL/Jet_fitting_3/internal/parameters.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/enough_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/k_rings.h>
@@ -83,8 +84,8 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   constexpr bool is_own = Is_own_neighborhood<Neighborhood, vertex_descriptor>::value;
   const Parameters given(np);
   // Weights are given in the order of the mesh.
-  const bool keeps_order = is_own || !options.point_weights.empty();
-  const Setting setting(mesh, np, keeps_order ? Vertex_order::of_mesh : Vertex_order::spatial_if_scattered);
+  const bool may_renumber = !is_own && options.point_weights.empty();
+  const Setting setting(mesh, np, may_renumber);
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
   Normal_table normals;
   Compact_mesh compact;
@@ -97,8 +98,11 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
   std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
   const auto store = [&](std::size_t first, const Fits& fits) {
+    const auto vertex = [&](std::size_t i) { return setting.item(static_cast<Index>(first + i)); };
+    const std::size_t ahead = 16; // so many forms fit into the cache; in the order of the mesh they are there in time
     for (std::size_t i = 0; i < fits.size(); ++i) {
-      put(vertex_form_map, setting.item(static_cast<Index>(first + i)), fits[i].form);
+      if (setting.is_renumbered() && i + ahead < fits.size()) prefetch_value(vertex_form_map, vertex(i + ahead));
+      put(vertex_form_map, vertex(i), fits[i].form);
       statuses[first + i] = fits[i].status;
       if (!fits[i].quality.empty()) qualities[first + i] = fits[i].quality.front();
     }

@@ -333,31 +333,40 @@ void own_points_and_ids()
   check_equal(std::size_t(Svd::calls()), surface.points.size(), "the user's SvdTraits are called once for each vertex");
 }
 
-// A large mesh whose vertices come in a random order is renumbered inside; nobody notices.
-void scattered_vertices()
+// A large mesh whose vertices come in a random order is renumbered inside; nobody notices, in whatever order its faces are.
+void scattered_vertices(bool faces_too)
 {
+  const std::string where = faces_too ? "scattered vertices and faces" : "scattered vertices";
   const Analytic_mesh ordered = torus(2, 1, 260, 200);
+  std::mt19937 random(6);
   std::vector<std::size_t> place(ordered.points.size());
   std::iota(place.begin(), place.end(), std::size_t(0));
-  std::shuffle(place.begin(), place.end(), std::mt19937(6));
+  std::shuffle(place.begin(), place.end(), random);
   Analytic_mesh scattered = ordered;
   for (std::size_t i = 0; i < place.size(); ++i) scattered.points[place[i]] = ordered.points[i];
   for (auto& face : scattered.faces)
     for (std::size_t& corner : face) corner = place[corner];
+  if (faces_too) std::shuffle(scattered.faces.begin(), scattered.faces.end(), random);
 
   Mesh mesh = made(ordered), shuffled = made(scattered);
   const Vertex first = shuffled.add_vertex(Kernel::Point_3(0, 0, 0)),
                second = shuffled.add_vertex(Kernel::Point_3(1, 0, 0));
+  const auto ids = internal::vertex_ids(shuffled, CGAL::parameters::default_values());
+  const internal::Vertex_numbering<Mesh, std::decay_t<decltype(ids)>> number(shuffled, ids);
+  check_true(best_vertex_order(shuffled, number) ==
+                 (faces_too ? internal::Vertex_order::in_space : internal::Vertex_order::of_edges),
+             where + ": the order that suits them");
+
   const Form_map expected = forms_of(mesh), forms = forms_of(shuffled);
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), expected);
   const auto summary = CGAL::estimate_vertex_monge_forms(shuffled, k_rings(2), forms);
   for (std::size_t i = 0; i < place.size(); i += 5)
-    check_same_form(forms[Vertex(unsigned(place[i]))], expected[Vertex(unsigned(i))], 0.05, "scattered vertices");
-  check_equal(summary.skipped, std::size_t(2), "scattered vertices: the isolated ones are skipped");
+    check_same_form(forms[Vertex(unsigned(place[i]))], expected[Vertex(unsigned(i))], 0.05, where);
+  check_equal(summary.skipped, std::size_t(2), where + ": the isolated ones are skipped");
   check_true(summary.skipped_items[0].first == first && summary.skipped_items[1].first == second,
-             "scattered vertices: in the order of the mesh");
+             where + ": in the order of the mesh");
   check_true(summary.status(first).has(Status_flag::isolated) && summary.status(Vertex(0)).is_estimated(),
-             "scattered vertices: the status of each");
+             where + ": the status of each");
 }
 
 // The least that a user's own neighborhood may be: two rings in any order, the vertex itself somewhere or nowhere.
@@ -505,7 +514,8 @@ int main()
   sharp_cube();
   slab();
   own_points_and_ids();
-  scattered_vertices();
+  scattered_vertices(false);
+  scattered_vertices(true);
   own_neighborhoods();
   progress();
   bad_arguments();

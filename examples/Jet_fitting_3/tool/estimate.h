@@ -27,6 +27,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -161,6 +162,19 @@ inline Estimates estimate_mesh(const Mesh& mesh, const Arguments& a, const Progr
   return estimates;
 }
 
+// What Mesh::property_map returns until CGAL 5.6, and since CGAL 6.0.
+template <class Map>
+Map map_in(const std::pair<Map, bool>& found)
+{
+  return found.first;
+}
+
+template <class Map>
+Map map_in(const std::optional<Map>& found)
+{
+  return *found;
+}
+
 // The normals of points are zero where the file has none, and then orient nothing.
 inline Estimates estimate_points(const Mesh& mesh, const Arguments& a, const Progress& progress)
 {
@@ -170,7 +184,7 @@ inline Estimates estimate_points(const Mesh& mesh, const Arguments& a, const Pro
            CGAL::parameters::degree_fitting(a.degree_jet)
                .degree_monge(a.degree_monge)
                .point_map(mesh.points())
-               .normal_map(mesh.property_map<Vertex, Vector>(normals_of_points).first)
+               .normal_map(map_in(mesh.property_map<Vertex, Vector>(normals_of_points)))
                .callback(progress),
            a.options),
        a.options, estimates);

@@ -14,8 +14,10 @@
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/Sharp_edges.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+#include <CGAL/Jet_fitting_3/internal/numbered_mesh.h>
 #include <CGAL/Jet_fitting_3/internal/spatial_order.h>
 #include <CGAL/Jet_fitting_3/internal/vertex_normals.h>
+#include <CGAL/Jet_fitting_3/internal/vertex_order.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -30,14 +32,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// How vertices are numbered. Where neighbors are far apart in the order of a large mesh, renumbering them saves more
-/// time than it takes.
-enum class Vertex_order
-{
-  of_mesh,
-  spatial_if_scattered
-};
-
 /// What the estimation at all vertices of a mesh needs of it, copied into compact tables once for each call.
 template <class Mesh, class NamedParameters>
 class Mesh_setting
@@ -51,15 +45,17 @@ public:
   using Kernel = typename GetGeomTraits<Mesh, NamedParameters>::type;
   using Numbering = Vertex_numbering<Mesh, Ids>;
 
-  Mesh_setting(const Mesh& mesh, const NamedParameters& np, Vertex_order order = Vertex_order::of_mesh)
-    : m_mesh(mesh), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np)))
+  Mesh_setting(const Mesh& mesh, const NamedParameters& np, bool may_renumber = false)
+    : m_mesh(mesh), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np))),
+      m_order(may_renumber ? best_vertex_order(mesh, number()) : Vertex_order::of_mesh)
   {
+    if (m_order == Vertex_order::of_edges) m_number->reorder(order_along_edges(mesh, number()));
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                         get_const_property_map(vertex_point, mesh));
     m_points.reserve(size());
     for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
     m_points.measure();
-    if (order == Vertex_order::spatial_if_scattered && is_scattered()) {
+    if (m_order == Vertex_order::in_space) {
       const std::vector<Index> permutation = spatial_order(m_points);
       m_number->reorder(permutation);
       m_points.reorder(permutation);
@@ -67,6 +63,7 @@ public:
   }
 
   std::size_t size() const { return number().size(); }
+  bool is_renumbered() const { return m_order != Vertex_order::of_mesh; }
   vertex_descriptor item(Index i) const { return number()[i]; }
   Index index(vertex_descriptor v) const { return number()(v); }
   std::shared_ptr<const Numbering> shared_number() const { return m_number; }
@@ -83,9 +80,7 @@ public:
       });
     };
     if constexpr (Is_default<internal_np::edge_is_constrained_t>::value) {
-      return compact({}, [this](const auto& visit) {
-        for (auto e : make_range(edges(m_mesh))) visit(index(source(e, m_mesh)), index(target(e, m_mesh)));
-      });
+      return compact({}, [this](const auto& visit) { internal::for_each_edge(m_mesh, number(), visit); });
     } else {
       const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
       const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained,
@@ -108,20 +103,6 @@ public:
   }
 
 private:
-  /// Whether most of the first edges of a large mesh join vertices that are far apart in its order.
-  bool is_scattered() const
-  {
-    const std::size_t least_size = 50000, sample_size = 2000;
-    if (size() < least_size) return false;
-    std::size_t edges_seen = 0, far = 0;
-    for (auto e : make_range(edges(m_mesh))) {
-      const Index i = index(source(e, m_mesh)), j = index(target(e, m_mesh));
-      far += (i < j ? j - i : i - j) > size() / 16;
-      if (++edges_seen == sample_size) break;
-    }
-    return 2 * far > edges_seen;
-  }
-
   bool is_finite(const std::vector<Index>& owners, Index node) const
   {
     return m_points.is_finite(node < size() ? node : owners[node - size()]);
@@ -131,6 +112,7 @@ private:
 
   const Mesh& m_mesh;
   std::shared_ptr<Numbering> m_number;
+  Vertex_order m_order;
   Point_table<Kernel> m_points;
 };
 

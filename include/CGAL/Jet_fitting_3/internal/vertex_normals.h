@@ -11,8 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
-
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Jet_fitting_3/internal/numbered_mesh.h>
 
 #include <cmath>
 #include <vector>
@@ -27,21 +26,18 @@ template <class Mesh, class Numbering, class Kernel>
 Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Point_table<Kernel>& points)
 {
   std::vector<Vector_3<float>> sums(number.size(), Vector_3<float>{0, 0, 0});
-  std::vector<Index> corners;
-  for (auto f : make_range(faces(mesh))) {
-    corners.clear();
-    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(number(v));
+  for_each_face(mesh, number, [&](const Index* begin, const Index* end) {
     Vector_3<double> area{0, 0, 0};
-    Vector_3<double> last = points.offset_in_units(corners[0], corners[1]);
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const Vector_3<double> next = points.offset_in_units(corners[0], corners[i]);
+    Vector_3<double> last = points.offset_in_units(begin[0], begin[1]);
+    for (const Index* corner = begin + 2; corner != end; ++corner) {
+      const Vector_3<double> next = points.offset_in_units(begin[0], *corner);
       area = area + cross(last, next);
       last = next;
     }
-    if (!std::isfinite(area.x + area.y + area.z)) continue;
+    if (!std::isfinite(area.x + area.y + area.z)) return;
     const Vector_3<float> rough{float(area.x), float(area.y), float(area.z)};
-    for (const Index corner : corners) sums[corner] = sums[corner] + rough;
-  }
+    for (const Index* corner = begin; corner != end; ++corner) sums[*corner] = sums[*corner] + rough;
+  });
 
   Normal_table normals(sums.size());
   for (Index i = 0; i < sums.size(); ++i) normals.set(i, {sums[i].x, sums[i].y, sums[i].z});

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_VERTEX_ORDER_H
+#define CGAL_JET_FITTING_3_INTERNAL_VERTEX_ORDER_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+
+/// How vertices are numbered. Where neighbors are far apart in the order of a large mesh, renumbering them saves more
+/// time than it takes.
+enum class Vertex_order
+{
+  of_mesh,
+  of_edges, ///< as they are met along the edges: where these, unlike the vertices, are near the ones before them
+  in_space  ///< along a curve through space (spatial_order.h)
+};
+
+/// The order that suits a mesh, judged by its first edges.
+template <class Mesh, class Numbering>
+Vertex_order best_vertex_order(const Mesh& mesh, const Numbering& number)
+{
+  const std::size_t least_size = 50000, sample_size = 2000;
+  if (number.size() < least_size) return Vertex_order::of_mesh;
+  std::vector<Index> ends;
+  std::size_t far = 0;
+  for (auto e : make_range(edges(mesh))) {
+    const Index i = number(source(e, mesh)), j = number(target(e, mesh));
+    far += (i < j ? j - i : i - j) > number.size() / 16;
+    ends.insert(ends.end(), {i, j});
+    if (ends.size() == 2 * sample_size) break;
+  }
+  if (4 * far <= ends.size()) return Vertex_order::of_mesh;
+  std::sort(ends.begin(), ends.end());
+  const std::size_t edges_seen = ends.size() / 2,
+                    met = std::size_t(std::unique(ends.begin(), ends.end()) - ends.begin());
+  // One vertex to an edge where faces have none in common, half that along a strip of triangles.
+  return 10 * met < 9 * edges_seen ? Vertex_order::of_edges : Vertex_order::in_space;
+}
+
+/// The numbers of the vertices in the order in which the edges meet them; then those without edges.
+template <class Mesh, class Numbering>
+std::vector<Index> order_along_edges(const Mesh& mesh, const Numbering& number)
+{
+  std::vector<Index> order;
+  order.reserve(number.size());
+  std::vector<bool> is_met(number.size(), false);
+  const auto meet = [&](Index i) {
+    if (is_met[i]) return;
+    is_met[i] = true;
+    order.push_back(i);
+  };
+  for (auto e : make_range(edges(mesh))) {
+    meet(number(source(e, mesh)));
+    meet(number(target(e, mesh)));
+  }
+  for (Index i = 0; i < number.size(); ++i) meet(i);
+  return order;
+}
+
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_VERTEX_ORDER_H
