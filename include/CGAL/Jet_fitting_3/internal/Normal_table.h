@@ -38,14 +38,15 @@ class Normal_table
 public:
   explicit Normal_table(std::size_t size = 0) : m_normals(size, Packed{0, 0, 0}) {}
 
-  void set(Index i, const Vector_3<double>& normal)
+  template <class FT>
+  void set(Index i, const Vector_3<FT>& normal)
   {
-    const double size = (std::max)({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    const FT size = (std::max)({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     if (!(size > 0) || !std::isfinite(normal.x + normal.y + normal.z)) return;
-    const Vector_3<double> scaled{normal.x / size, normal.y / size, normal.z / size};
-    const double factor = packed_size / std::sqrt(dot(scaled, scaled));
-    const auto packed = [&](double c) { // rounded; std::lround takes longer than all the rest
-      return static_cast<std::int16_t>(factor * c + (c < 0 ? -0.5 : 0.5));
+    const Vector_3<FT> scaled{normal.x / size, normal.y / size, normal.z / size};
+    const FT factor = FT(packed_size) / std::sqrt(dot(scaled, scaled));
+    const auto packed = [&](FT c) { // rounded; std::lround takes longer than all the rest
+      return static_cast<std::int16_t>(factor * c + std::copysign(FT(0.5), c));
     };
     m_normals[i] = {packed(scaled.x), packed(scaled.y), packed(scaled.z)};
   }

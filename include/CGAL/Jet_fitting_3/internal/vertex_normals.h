@@ -40,7 +40,7 @@ Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Poi
   });
 
   Normal_table normals(sums.size());
-  for (Index i = 0; i < sums.size(); ++i) normals.set(i, {sums[i].x, sums[i].y, sums[i].z});
+  for (Index i = 0; i < sums.size(); ++i) normals.set(i, sums[i]);
   return normals;
 }
 
