@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_NUMERIC_ROW_BLOCK_H
 
 #include <CGAL/Jet_fitting_3/numeric/Pack.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <cstddef>
 
@@ -38,6 +39,14 @@ struct Row_block<FT, 1>
   static FT sum(const type& block) { return block; }
   static FT largest(const type& block) { return block; }
 };
+
+/// The same vector in every row of a block.
+template <class FT>
+Vector_3<typename Row_block<FT>::type> in_every_row(const Vector_3<FT>& a)
+{
+  using Row = typename Row_block<FT>::type;
+  return {Row(a.x), Row(a.y), Row(a.z)};
+}
 
 template <class FT>
 constexpr std::size_t padded_to_blocks(std::size_t rows)

@@ -60,7 +60,7 @@ Moments<FT> moments(const Samples<FT>& samples)
   const auto mean = [&inverse_total](const Row& of) { return FT(inverse_total * Rows::sum(of)); };
   const Vector_3<FT> centroid{mean(sum.x), mean(sum.y), mean(sum.z)};
 
-  const Vector_3<Row> center{Row(centroid.x), Row(centroid.y), Row(centroid.z)};
+  const Vector_3<Row> center = numeric::in_every_row(centroid);
   numeric::Symmetric_3<Row> s{zero, zero, zero, zero, zero, zero};
   for (std::size_t i = 0; i < samples.padded_size(); i += Rows::size) {
     const Vector_3<Row> r = samples.block(i) - center, wr = samples.weight_block(i) * r;

@@ -82,9 +82,8 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   h.size = samples.size();
   for (auto* coordinates : {&h.u, &h.v, &h.height}) coordinates->resize(padded);
   FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
-  const auto same_in_rows = [](const Vector_3<FT>& a) { return Vector_3<Row>{Row(a.x), Row(a.y), Row(a.z)}; };
-  const Vector_3<Row> x_axis = same_in_rows(basis.x), y_axis = same_in_rows(basis.y);
-  const Height_above_plane<Row> height_above_plane(same_in_rows(basis.z));
+  const Vector_3<Row> x_axis = numeric::in_every_row(basis.x), y_axis = numeric::in_every_row(basis.y);
+  const Height_above_plane<Row> height_above_plane(numeric::in_every_row(basis.z));
   Row square_sum_u(0), square_sum_v(0);
   for (std::size_t i = 0; i < padded; i += Rows::size) {
     const Vector_3<Row> r = samples.block(i);
