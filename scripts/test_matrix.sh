@@ -127,8 +127,8 @@ wanted=${1:-all}
 targets=
 tests=.
 if [ "$wanted" = subset ]; then
-  targets='test_drop_in_interface test_kernels_and_traits test_mesh_door test_packs'
-  tests='^(drop_in_interface|kernels_and_traits|mesh_door|packs)$'
+  targets='test_drop_in_interface test_kernels_and_traits test_mesh_door test_packs test_mesh_estimation_tool Mesh_estimation'
+  tests='^(drop_in_interface|kernels_and_traits|mesh_door|packs|mesh_estimation_tool)$'
 fi
 failed=0
 done=0
