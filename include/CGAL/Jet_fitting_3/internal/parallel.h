@@ -19,6 +19,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/partitioner.h>
 #endif
 
 namespace CGAL {
@@ -35,9 +36,11 @@ void for_each_block(std::size_t blocks, const Make_worker& make_worker)
     tbb::enumerable_thread_specific<decltype(make_worker())> workers(make_worker);
     std::atomic<std::size_t> next(0);
     std::atomic<bool> go_on(true);
-    tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t) {
+    const auto take_next = [&](std::size_t) {
       if (go_on && !workers.local()(next++)) go_on = false;
-    });
+    };
+    // One at a time: a thread that took several at the end would be waited for.
+    tbb::parallel_for(std::size_t(0), blocks, take_next, tbb::simple_partitioner());
 #else
     static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
                   "Parallel_tag needs TBB: link with CGAL::TBB_support, or take Parallel_if_available_tag");
