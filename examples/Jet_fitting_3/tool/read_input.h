@@ -48,7 +48,8 @@ inline void check_readable(const std::string& file)
 }
 
 // CGAL's reader of PLY files takes it for granted that properties belong to an element, that the coordinates of a vertex,
-// and those of its normal, are of one floating type, and that there are as many elements as the header says.
+// and those of its normal, are of one floating type, and that there are as many elements as the header says, which it
+// counts without a sign.
 inline void check_ply_header(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
@@ -59,8 +60,11 @@ inline void check_ply_header(const std::string& file)
     words >> keyword;
     if (keyword == "end_header") return;
     double count = 0;
-    if (keyword == "element" && words >> element >> count && count > double(std::filesystem::file_size(file)))
-      throw Input_error(file, "cut short: more elements '" + element + "' than bytes");
+    if (keyword == "element" && words >> element >> count) {
+      if (count < 0) throw Input_error(file, "not a PLY file: a negative number of elements '" + element + "'");
+      if (count > double(std::filesystem::file_size(file)))
+        throw Input_error(file, "cut short: more elements '" + element + "' than bytes");
+    }
     if (keyword.compare(0, 8, "property") != 0) continue;
     if (element.empty()) throw Input_error(file, "not a PLY file: a property without an element");
     words >> type >> name;
