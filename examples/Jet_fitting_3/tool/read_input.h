@@ -16,6 +16,7 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/exceptions.h>
 #ifdef CGAL_USE_VTK
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #endif
@@ -24,6 +25,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
@@ -48,12 +50,13 @@ inline void check_readable(const std::string& file)
 }
 
 // CGAL's reader of PLY files takes it for granted that properties belong to an element, that the coordinates of a vertex,
-// and those of its normal, are of one floating type, and that there are as many elements as the header says, which it
-// counts without a sign.
+// and those of its normal, are of one floating type, that names are unique, and that there are as many elements as the
+// header says, which it counts without a sign.
 inline void check_ply_header(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
   std::string element, point_type, normal_type;
+  std::set<std::string> names;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string keyword, type, name;
@@ -61,6 +64,7 @@ inline void check_ply_header(const std::string& file)
     if (keyword == "end_header") return;
     double count = 0;
     if (keyword == "element" && words >> element >> count) {
+      names.clear();
       if (count < 0) throw Input_error(file, "not a PLY file: a negative number of elements '" + element + "'");
       if (count > double(std::filesystem::file_size(file)))
         throw Input_error(file, "cut short: more elements '" + element + "' than bytes");
@@ -68,6 +72,9 @@ inline void check_ply_header(const std::string& file)
     if (keyword.compare(0, 8, "property") != 0) continue;
     if (element.empty()) throw Input_error(file, "not a PLY file: a property without an element");
     words >> type >> name;
+    if (type == "list") words >> type >> name; // of its size, of its items, its name
+    if (!names.insert(name).second)
+      throw Input_error(file, "two properties '" + name + "' of element '" + element + "'");
     const bool is_point = is_one_of(name, {"x", "y", "z"}), is_normal = is_one_of(name, {"nx", "ny", "nz"});
     if (element == "face" || !(is_point || is_normal)) continue;
     const std::string size = is_one_of(type, {"float", "float32"})    ? "float"
@@ -174,6 +181,8 @@ try {
   throw Input_error(file, "it is larger than the memory, or says so");
 } catch (const std::length_error&) {
   throw Input_error(file, "it is larger than the memory, or says so");
+} catch (const CGAL::Failure_exception&) {
+  throw Input_error(file, "malformed: an assertion of CGAL's reader does not hold");
 }
 
 } // namespace tool
