@@ -15,8 +15,8 @@
 #include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
 #include <CGAL/Jet_fitting_3/internal/Own_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/estimate_blocks.h>
-#include <CGAL/Jet_fitting_3/internal/prefetch.h>
 #include <CGAL/Jet_fitting_3/internal/parameters.h>
+#include <CGAL/Jet_fitting_3/internal/prefetch.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/enough_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/k_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/nearest.h>

@@ -50,7 +50,7 @@ public:
 
   /// A frame without coefficients.
   Monge_form(const Point_3& origin, const Vector_3& d1, const Vector_3& d2, const Vector_3& n)
-    : m_origin(origin), m_d1(d1), m_d2(d2), m_n(n)
+    : m_origin(origin), m_k1_direction(d1), m_k2_direction(d2), m_n(n)
   {}
 
   /// @{
@@ -60,13 +60,13 @@ public:
   /// @}
   /// @{
   /// d1, the direction of k1.
-  const Vector_3& maximal_principal_direction() const { return m_d1; }
-  Vector_3& maximal_principal_direction() { return m_d1; }
+  const Vector_3& maximal_principal_direction() const { return m_k1_direction; }
+  Vector_3& maximal_principal_direction() { return m_k1_direction; }
   /// @}
   /// @{
   /// d2, the direction of k2.
-  const Vector_3& minimal_principal_direction() const { return m_d2; }
-  Vector_3& minimal_principal_direction() { return m_d2; }
+  const Vector_3& minimal_principal_direction() const { return m_k2_direction; }
+  Vector_3& minimal_principal_direction() { return m_k2_direction; }
   /// @}
   /// @{
   /// n = d1 ^ d2.
@@ -76,8 +76,8 @@ public:
 
   /// @{
   /// k1, k2, b0..b3, c0..c4, then g_50, g_41, ..., up to the degree d': (d'+1)(d'+2)/2 - 4 entries, none for d' = 1.
-  const std::vector<FT>& coefficients() const { return m_coefficients; }
-  std::vector<FT>& coefficients() { return m_coefficients; }
+  const std::vector<FT>& coefficients() const { return m_derivatives; }
+  std::vector<FT>& coefficients() { return m_derivatives; }
   /// @}
 
   /// k1 for i = 0, k2 for i = 1.
@@ -92,7 +92,7 @@ public:
   std::size_t degree() const
   {
     std::size_t degree = 1;
-    while (number_of_monge_coefficients(degree + 1) <= m_coefficients.size()) ++degree;
+    while (number_of_monge_coefficients(degree + 1) <= m_derivatives.size()) ++degree;
     return degree;
   }
 
@@ -105,11 +105,11 @@ public:
       throw std::out_of_range("Monge_form::derivative(" + std::to_string(i) + ", " + std::to_string(j) +
                               "): the form has degree " + std::to_string(degree()));
     if (order < 2 || (i == 1 && j == 1)) return FT(0);
-    return m_coefficients[order == 2 ? j / 2 : monge_offset(order) + j];
+    return m_derivatives[order == 2 ? j / 2 : monge_offset(order) + j];
   }
 
   /// Makes room for the coefficients of degree d', all zero.
-  void set_up(std::size_t degree) { m_coefficients.assign(number_of_monge_coefficients(degree), FT(0)); }
+  void set_up(std::size_t degree) { m_derivatives.assign(number_of_monge_coefficients(degree), FT(0)); }
 
   /// Turns the normal to the side of the given one (section 5.1.2): if given . n < 0, the basis becomes (d2, d1, -n),
   /// in which z = g(x, y) reads z = -g(y, x), so that every coefficient g_ij becomes -g_ji. Exact; doing it twice with
@@ -120,11 +120,11 @@ public:
     const FT cosine = given.x() * m_n.x() + given.y() * m_n.y() + given.z() * m_n.z();
     if (!(cosine < FT(0))) return FT(0) < cosine;
     m_n = Vector_3(-m_n.x(), -m_n.y(), -m_n.z());
-    std::swap(m_d1, m_d2);
-    for (FT& coefficient : m_coefficients) coefficient = -coefficient;
+    std::swap(m_k1_direction, m_k2_direction);
+    for (FT& coefficient : m_derivatives) coefficient = -coefficient;
     for (std::size_t k = 2; k <= degree(); ++k)
-      std::reverse(m_coefficients.begin() + std::ptrdiff_t(monge_offset(k)),
-                   m_coefficients.begin() + std::ptrdiff_t(monge_offset(k + 1)));
+      std::reverse(m_derivatives.begin() + std::ptrdiff_t(monge_offset(k)),
+                   m_derivatives.begin() + std::ptrdiff_t(monge_offset(k + 1)));
     return true;
   }
 
@@ -134,16 +134,16 @@ public:
     out << "origin : " << m_origin << '\n' << "n : " << m_n << '\n';
     const std::size_t highest = degree();
     if (highest >= 2)
-      out << "d1 : " << m_d1 << '\n'
-          << "d2 : " << m_d2 << '\n'
-          << "k1 : " << m_coefficients[0] << '\n'
-          << "k2 : " << m_coefficients[1] << '\n';
+      out << "d1 : " << m_k1_direction << '\n'
+          << "d2 : " << m_k2_direction << '\n'
+          << "k1 : " << m_derivatives[0] << '\n'
+          << "k2 : " << m_derivatives[1] << '\n';
     for (std::size_t k = 3; k <= highest; ++k) {
       for (std::size_t i = 0; i <= k; ++i) {
         if (k == 3) out << 'b' << i;
         else if (k == 4) out << 'c' << i;
         else out << 'g' << k - i << '_' << i;
-        out << " : " << m_coefficients[monge_offset(k) + i] << '\n';
+        out << " : " << m_derivatives[monge_offset(k) + i] << '\n';
       }
       if (k == 4) out << '\n';
     }
@@ -154,7 +154,8 @@ public:
   void dump_4ogl(std::ostream& out, const FT scale) const
   {
     const FT &k1 = principal_curvatures(0), &k2 = principal_curvatures(1);
-    out << m_origin << ' ' << m_d1 * scale << ' ' << m_d2 * scale << ' ' << k1 << ' ' << k2 << " \n";
+    out << m_origin << ' ' << m_k1_direction * scale << ' ' << m_k2_direction * scale << ' ' << k1 << ' ' << k2
+        << " \n";
   }
 
 private:
@@ -162,15 +163,15 @@ private:
 
   const FT& coefficient(const char* name, std::size_t i, std::size_t count, std::size_t first) const
   {
-    if (i >= count || first + count > m_coefficients.size())
+    if (i >= count || first + count > m_derivatives.size())
       throw std::out_of_range("Monge_form has no " + std::string(name) + ' ' + std::to_string(i) + ": its degree is " +
                               std::to_string(degree()));
-    return m_coefficients[first + i];
+    return m_derivatives[first + i];
   }
 
   Point_3 m_origin;
-  Vector_3 m_d1, m_d2, m_n;
-  std::vector<FT> m_coefficients;
+  Vector_3 m_k1_direction, m_k2_direction, m_n;
+  std::vector<FT> m_derivatives;
 };
 
 /// \ingroup PkgJetFitting3Results
