@@ -89,7 +89,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
   Normal_table normals;
   Compact_mesh compact;
-  do_both<ConcurrencyTag>([&] { normals = setting.normals(np); },
+  do_both<ConcurrencyTag>([&] { normals = setting.template normals<ConcurrencyTag>(np); },
                           [&] {
                             if constexpr (!is_own) compact = setting.compact(np);
                           });

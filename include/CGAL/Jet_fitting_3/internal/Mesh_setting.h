@@ -90,10 +90,11 @@ public:
   }
 
   /// The normals of the mesh, or the given ones.
+  template <class ConcurrencyTag = Sequential_tag>
   Normal_table normals(const NamedParameters& np) const
   {
     if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {
-      return vertex_normals(m_mesh, number(), m_points);
+      return vertex_normals<ConcurrencyTag>(m_mesh, number(), m_points);
     } else {
       const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
       Normal_table normals(size());

@@ -47,9 +47,7 @@ public:
   Vector_3<double> offset(Index from, Index to) const
   {
     const Vector_3<FT>&a = m_points[from], &b = m_points[to];
-    using Wider =
-        std::conditional_t<std::is_same<FT, float>::value, double, FT>; // a difference of floats is exact in it
-    return {double(Wider(b.x) - a.x), double(Wider(b.y) - a.y), double(Wider(b.z) - a.z)};
+    return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
   }
 
   /// Relative to a point that is the same for all.
@@ -59,7 +57,7 @@ public:
   }
 
 private:
-  /// No digit of a float is lost.
+  /// That of two floats is exact.
   static double difference(FT from, FT to)
   {
     using Wider = std::common_type_t<FT, double>;

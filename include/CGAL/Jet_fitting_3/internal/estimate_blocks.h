@@ -13,7 +13,6 @@
 #include <CGAL/Jet_fitting_3/internal/fit_block.h>
 #include <CGAL/Jet_fitting_3/internal/parallel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -22,10 +21,6 @@
 namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
-
-/// How many neighborhoods are gathered before they are fitted. Fixed, so that the results are the same bits whatever
-/// the number of threads.
-constexpr std::size_t block_size = 1024;
 
 using Progress = std::function<bool(double)>;
 
@@ -46,8 +41,7 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
 
   const auto make_worker = [&] {
     return [&, gather = make_gather(), fitter = fit, block = Neighborhood_block(),
-            fits = std::vector<Fit<DataKernel>>()](std::size_t b) mutable {
-      const std::size_t first = b * block_size, last = (std::min)(first + block_size, size);
+            fits = std::vector<Fit<DataKernel>>()](std::size_t first, std::size_t last) mutable {
       block.clear();
       for (std::size_t i = first; i < last; ++i)
         block.add_row([&](std::vector<Index>& row) { gather(static_cast<Index>(i), row); });
@@ -69,7 +63,7 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
       return !cancelled;
     };
   };
-  for_each_block<ConcurrencyTag>((size + block_size - 1) / block_size, make_worker);
+  for_each_block<ConcurrencyTag>(size, make_worker);
   return !cancelled || done == size;
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <type_traits>
@@ -26,28 +27,33 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Runs worker(b) for every block b = 0, ..., blocks - 1, until one returns false. make_worker() is called once for each
-/// thread. Blocks are begun in order, whichever thread takes them.
+/// Fixed, so that the results are the same bits whatever the number of threads.
+constexpr std::size_t block_size = 1024;
+
+/// Runs worker(first, last) for every block of the numbers below size, until one returns false. make_worker() is called
+/// once for each thread. Blocks are begun in order, whichever thread takes them.
 template <class ConcurrencyTag, class Make_worker>
-void for_each_block(std::size_t blocks, const Make_worker& make_worker)
+void for_each_block(std::size_t size, const Make_worker& make_worker)
 {
+  const auto end = [size](std::size_t first) { return (std::min)(first + block_size, size); };
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::enumerable_thread_specific<decltype(make_worker())> workers(make_worker);
     std::atomic<std::size_t> next(0);
     std::atomic<bool> go_on(true);
     const auto take_next = [&](std::size_t) {
-      if (go_on && !workers.local()(next++)) go_on = false;
+      const std::size_t first = block_size * next++;
+      if (go_on && !workers.local()(first, end(first))) go_on = false;
     };
     // One at a time: a thread that took several at the end would be waited for.
-    tbb::parallel_for(std::size_t(0), blocks, take_next, tbb::simple_partitioner());
+    tbb::parallel_for(std::size_t(0), (size + block_size - 1) / block_size, take_next, tbb::simple_partitioner());
 #else
     static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
                   "Parallel_tag needs TBB: link with CGAL::TBB_support, or take Parallel_if_available_tag");
 #endif
   } else {
     auto worker = make_worker();
-    for (std::size_t b = 0; b < blocks && worker(b); ++b) {}
+    for (std::size_t first = 0; first < size && worker(first, end(first)); first += block_size) {}
   }
 }
 

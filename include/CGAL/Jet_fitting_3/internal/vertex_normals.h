@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/internal/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/numbered_mesh.h>
+#include <CGAL/Jet_fitting_3/internal/parallel.h>
 
 #include <cmath>
 #include <vector>
@@ -22,7 +23,7 @@ namespace internal {
 
 /// The normal of a vertex is the sum of the vector areas of the faces around it: on the side from which they are seen
 /// counterclockwise. Faces with a corner that is not finite do not count.
-template <class Mesh, class Numbering, class Kernel>
+template <class ConcurrencyTag, class Mesh, class Numbering, class Kernel>
 Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Point_table<Kernel>& points)
 {
   std::vector<Vector_3<float>> sums(number.size(), Vector_3<float>{0, 0, 0});
@@ -40,7 +41,12 @@ Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Poi
   });
 
   Normal_table normals(sums.size());
-  for (Index i = 0; i < sums.size(); ++i) normals.set(i, sums[i]);
+  for_each_block<ConcurrencyTag>(sums.size(), [&] {
+    return [&](std::size_t first, std::size_t last) {
+      for (Index i = Index(first); i < last; ++i) normals.set(i, sums[i]);
+      return true;
+    };
+  });
   return normals;
 }
 
