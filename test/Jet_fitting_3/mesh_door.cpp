@@ -333,7 +333,21 @@ void own_points_and_ids()
   check_equal(std::size_t(Svd::calls()), surface.points.size(), "the user's SvdTraits are called once for each vertex");
 }
 
-// A large mesh whose vertices come in a random order is renumbered inside; nobody notices, in whatever order its faces are.
+// A cone of that many triangles around a vertex, far from the rest. Returns its apex.
+Vertex add_fan(Mesh& mesh, int triangles)
+{
+  const Vertex apex = mesh.add_vertex(Kernel::Point_3(10, 0, 0));
+  std::vector<Vertex> rim;
+  for (int i = 0; i < triangles; ++i) {
+    const double angle = 2 * CGAL_PI * i / triangles;
+    rim.push_back(mesh.add_vertex(Kernel::Point_3(10 + std::cos(angle), std::sin(angle), -0.5)));
+  }
+  for (std::size_t i = 0; i < rim.size(); ++i) mesh.add_face(apex, rim[i], rim[(i + 1) % rim.size()]);
+  return apex;
+}
+
+// A large mesh whose vertices come in a random order is renumbered inside; nobody notices, in whatever order its faces are,
+// with a point that is not finite, with a vertex of very many edges.
 void scattered_vertices(bool faces_too)
 {
   const std::string where = faces_too ? "scattered vertices and faces" : "scattered vertices";
@@ -358,15 +372,28 @@ void scattered_vertices(bool faces_too)
              where + ": the order that suits them");
 
   const Form_map expected = forms_of(mesh), forms = forms_of(shuffled);
-  CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), expected);
-  const auto summary = CGAL::estimate_vertex_monge_forms(shuffled, k_rings(2), forms);
-  for (std::size_t i = 0; i < place.size(); i += 5)
-    check_same_form(forms[Vertex(unsigned(place[i]))], expected[Vertex(unsigned(i))], 0.05, where);
-  check_equal(summary.skipped, std::size_t(2), where + ": the isolated ones are skipped");
+  const auto place_of = [&](std::size_t i) { return Vertex(unsigned(place[i])); };
+  const auto check_all = [&](const std::string& what) {
+    const std::size_t skipped = CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), expected).skipped;
+    auto summary = CGAL::estimate_vertex_monge_forms(shuffled, k_rings(2), forms);
+    for (std::size_t i = 0; i < place.size(); i += 5)
+      check_same_form(forms[place_of(i)], expected[Vertex(unsigned(i))], 0.05, what);
+    check_equal(summary.skipped, skipped + 2, what + ": the isolated ones are skipped");
+    return summary;
+  };
+  const auto summary = check_all(where);
   check_true(summary.skipped_items[0].first == first && summary.skipped_items[1].first == second,
              where + ": in the order of the mesh");
   check_true(summary.status(first).has(Status_flag::isolated) && summary.status(Vertex(0)).is_estimated(),
              where + ": the status of each");
+
+  const Vertex apex = add_fan(mesh, 300), same_apex = add_fan(shuffled, 300);
+  check_all(where + ", and a vertex of 300 edges");
+  check_same_form(forms[same_apex], expected[apex], 1e-9, where + ", the vertex of 300 edges");
+
+  const std::size_t lost = 26003; // next to 26000 and 26005, which are compared
+  mesh.point(Vertex(unsigned(lost))) = shuffled.point(place_of(lost)) = Kernel::Point_3(0, std::nan(""), 0);
+  check_true(check_all(where + ", and a NaN").status(place_of(lost)).has(Status_flag::not_finite), where + ": the NaN");
 }
 
 // The least that a user's own neighborhood may be: two rings in any order, the vertex itself somewhere or nowhere.

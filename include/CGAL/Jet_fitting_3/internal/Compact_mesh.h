@@ -12,8 +12,11 @@
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,20 +45,25 @@ public:
 
   /// \param owners the vertices whose copies are the nodes from n on
   /// \param for_each_edge(visit) calls visit(i, j) for every pair of adjacent nodes, in the same order each time
+  /// \param degrees how many edges each node has, if that is known; none otherwise
   template <class For_each_edge>
-  Compact_mesh(std::size_t vertices, std::vector<Index> owners, const For_each_edge& for_each_edge)
+  Compact_mesh(std::size_t vertices, std::vector<Index> owners, const For_each_edge& for_each_edge,
+               const std::vector<std::uint8_t>& degrees = {})
     : m_vertices(vertices), m_owners(std::move(owners)), m_row_begins(vertices + m_owners.size() + 2, 0)
   {
     // The begin of row i is kept one place too far while the rows are filled, and ends up in its own.
-    std::size_t neighbors = 0;
-    for_each_edge([&](Index i, Index j) {
-      ++m_row_begins[i + 2];
-      ++m_row_begins[j + 2];
-      neighbors += 2;
-    });
+    if (degrees.empty()) {
+      for_each_edge([&](Index i, Index j) {
+        ++m_row_begins[i + 2];
+        ++m_row_begins[j + 2];
+      });
+    } else {
+      std::copy(degrees.begin(), degrees.end(), m_row_begins.begin() + 2);
+    }
+    const std::size_t neighbors = std::accumulate(m_row_begins.begin(), m_row_begins.end(), std::size_t(0));
     if (neighbors > (std::numeric_limits<Index>::max)())
       throw Invalid_input("a mesh of " + std::to_string(neighbors / 2) + " edges is too large");
-    for (std::size_t i = 2; i < m_row_begins.size(); ++i) m_row_begins[i] += m_row_begins[i - 1];
+    std::partial_sum(m_row_begins.begin(), m_row_begins.end(), m_row_begins.begin());
     m_neighbors.resize(neighbors);
     for_each_edge([&](Index i, Index j) {
       m_neighbors[m_row_begins[i + 1]++] = j;

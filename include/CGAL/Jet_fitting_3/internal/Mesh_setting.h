@@ -23,6 +23,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -37,6 +38,7 @@ template <class Mesh, class NamedParameters>
 class Mesh_setting
 {
   using Ids = decltype(vertex_ids(std::declval<const Mesh&>(), std::declval<const NamedParameters&>()));
+  using Degrees = std::vector<std::uint8_t>;
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   template <class Tag>
   using Is_default = parameters::is_default_parameter<NamedParameters, Tag>;
@@ -49,7 +51,11 @@ public:
     : m_mesh(mesh), m_number(std::make_shared<Numbering>(mesh, vertex_ids(mesh, np))),
       m_order(may_renumber ? best_vertex_order(mesh, number()) : Vertex_order::of_mesh)
   {
-    if (m_order == Vertex_order::of_edges) m_number->reorder(order_along_edges(mesh, number()));
+    if (m_order == Vertex_order::of_edges) {
+      Order_along_edges along_edges = order_along_edges(mesh, number());
+      m_number->reorder(along_edges.order);
+      m_degrees = std::move(along_edges.degrees);
+    }
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                         get_const_property_map(vertex_point, mesh));
     m_points.reserve(size());
@@ -72,20 +78,23 @@ public:
   /// The adjacency, without the edges to vertices that are not finite, and cut along the constrained edges.
   Compact_mesh compact(const NamedParameters& np) const
   {
-    const auto compact = [this](const std::vector<Index>& owners, const auto& for_each_edge) {
-      return Compact_mesh(size(), owners, [&](const auto& visit) {
+    const auto compact = [this](const std::vector<Index>& owners, const auto& for_each_edge, const Degrees& degrees) {
+      const auto for_each_finite_edge = [&](const auto& visit) {
         for_each_edge([&](Index i, Index j) {
           if (is_finite(owners, i) && is_finite(owners, j)) visit(i, j);
         });
-      });
+      };
+      return Compact_mesh(size(), owners, for_each_finite_edge, degrees);
     };
     if constexpr (Is_default<internal_np::edge_is_constrained_t>::value) {
-      return compact({}, [this](const auto& visit) { internal::for_each_edge(m_mesh, number(), visit); });
+      const auto for_each_edge = [this](const auto& visit) { internal::for_each_edge(m_mesh, number(), visit); };
+      return compact({}, for_each_edge, m_points.all_are_finite() ? m_degrees : Degrees());
     } else {
       const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
       const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained,
                                                                                m_points);
-      return compact(cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); });
+      return compact(
+          cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); }, Degrees());
     }
   }
 
@@ -114,6 +123,7 @@ private:
   const Mesh& m_mesh;
   std::shared_ptr<Numbering> m_number;
   Vertex_order m_order;
+  Degrees m_degrees; // if known
   Point_table<Kernel> m_points;
 };
 

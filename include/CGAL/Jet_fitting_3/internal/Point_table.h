@@ -124,6 +124,8 @@ public:
     m_per_length = 1 / numeric::power_of_two_above(size);
   }
 
+  bool all_are_finite() const { return m_all_are_finite; }
+
   /// Does not look at the point where all are finite: it may be far away in memory.
   bool is_finite(Index i) const { return m_all_are_finite || Base::is_finite(i); }
 

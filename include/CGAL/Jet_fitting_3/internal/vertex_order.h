@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,24 +54,33 @@ Vertex_order best_vertex_order(const Mesh& mesh, const Numbering& number)
   return 10 * met < 9 * edges_seen ? Vertex_order::of_edges : Vertex_order::in_space;
 }
 
-/// The numbers of the vertices in the order in which the edges meet them; then those without edges.
-template <class Mesh, class Numbering>
-std::vector<Index> order_along_edges(const Mesh& mesh, const Numbering& number)
+struct Order_along_edges
 {
+  std::vector<Index> order;          ///< the numbers of the vertices as the edges meet them; then those without edges
+  std::vector<std::uint8_t> degrees; ///< how many edges each of them has, in that order; none if one has too many
+};
+
+/// One byte for a degree: these tables are in the cache, where tables of numbers are not.
+template <class Mesh, class Numbering>
+Order_along_edges order_along_edges(const Mesh& mesh, const Numbering& number)
+{
+  const std::uint8_t too_many = 255;
   std::vector<Index> order;
   order.reserve(number.size());
-  std::vector<bool> is_met(number.size(), false);
+  std::vector<std::uint8_t> degrees(number.size(), 0);
   const auto meet = [&](Index i) {
-    if (is_met[i]) return;
-    is_met[i] = true;
-    order.push_back(i);
+    if (degrees[i] == 0) order.push_back(i);
+    if (degrees[i] != too_many) ++degrees[i];
   };
   for (auto e : make_range(edges(mesh))) {
     meet(number(source(e, mesh)));
     meet(number(target(e, mesh)));
   }
-  for (Index i = 0; i < number.size(); ++i) meet(i);
-  return order;
+  for (Index i = 0; i < number.size(); ++i)
+    if (degrees[i] == 0) order.push_back(i);
+  const bool are_known = std::find(degrees.begin(), degrees.end(), too_many) == degrees.end();
+  degrees = are_known ? reordered(degrees, order) : std::vector<std::uint8_t>();
+  return {std::move(order), std::move(degrees)};
 }
 
 } // namespace internal
