@@ -140,6 +140,8 @@ inline Mesh read_mesh(const std::string& file)
   return mesh;
 }
 
+constexpr char larger_than_memory[] = "it is larger than the memory, or says so";
+
 // Reads a mesh or, from a file that has no faces, a point set. \throw Input_error
 inline Mesh read_input(const std::string& file)
 try {
@@ -178,9 +180,9 @@ try {
   if (mesh.number_of_vertices() == 0) throw Input_error(file, "no vertices and no points");
   return mesh;
 } catch (const std::bad_alloc&) {
-  throw Input_error(file, "it is larger than the memory, or says so");
+  throw Input_error(file, larger_than_memory);
 } catch (const std::length_error&) {
-  throw Input_error(file, "it is larger than the memory, or says so");
+  throw Input_error(file, larger_than_memory);
 } catch (const CGAL::Failure_exception&) {
   throw Input_error(file, "malformed: an assertion of CGAL's reader does not hold");
 }

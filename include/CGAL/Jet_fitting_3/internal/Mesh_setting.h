@@ -86,15 +86,16 @@ public:
       };
       return Compact_mesh(size(), owners, for_each_finite_edge, degrees);
     };
+    const Degrees unknown;
     if constexpr (Is_default<internal_np::edge_is_constrained_t>::value) {
       const auto for_each_edge = [this](const auto& visit) { internal::for_each_edge(m_mesh, number(), visit); };
-      return compact({}, for_each_edge, m_points.all_are_finite() ? m_degrees : Degrees());
+      return compact({}, for_each_edge, m_points.all_are_finite() ? m_degrees : unknown);
     } else {
       const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
       const Sharp_edges<Mesh, Numbering, decltype(is_constrained), Kernel> cut(m_mesh, number(), is_constrained,
                                                                                m_points);
       return compact(
-          cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); }, Degrees());
+          cut.owners_of_copies(), [&](const auto& visit) { cut.for_each_edge(visit); }, unknown);
     }
   }
 
