@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/internal/Sharp_edges.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
 #include <CGAL/Jet_fitting_3/internal/numbered_mesh.h>
+#include <CGAL/Jet_fitting_3/internal/prefetch.h>
 #include <CGAL/Jet_fitting_3/internal/spatial_order.h>
 #include <CGAL/Jet_fitting_3/internal/vertex_normals.h>
 #include <CGAL/Jet_fitting_3/internal/vertex_order.h>
@@ -59,7 +60,11 @@ public:
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                         get_const_property_map(vertex_point, mesh));
     m_points.reserve(size());
-    for (Index i = 0; i < size(); ++i) m_points.push_back(get(point_map, item(i)));
+    const Index ahead = 32; // so many points may be on their way from places far apart
+    for (Index i = 0; i < size(); ++i) {
+      if (is_renumbered() && i + ahead < size()) prefetch_value(point_map, item(i + ahead));
+      m_points.push_back(get(point_map, item(i)));
+    }
     m_points.measure();
     if (m_order == Vertex_order::in_space) {
       const std::vector<Index> permutation = spatial_order(m_points);

@@ -10,6 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/internal/prefetch.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
@@ -89,6 +90,18 @@ public:
       return id < m_number_of.size() ? m_number_of[id] : no_index;
     }
     return no_index;
+  }
+
+  /// Whether the number of a vertex is to be looked up at the place that its id gives it.
+  bool is_table() const { return !m_number_of.empty(); }
+
+  /// Asks for that place to be brought into the cache.
+  void prefetch(vertex_descriptor v) const
+  {
+    if constexpr (!std::is_same<Ids, No_ids>::value) {
+      const std::size_t id = static_cast<std::size_t>(get(m_ids, v));
+      if (id < m_number_of.size()) internal::prefetch(&m_number_of[id]);
+    }
   }
 
   /// Gives number i to the vertex that has number order[i] now; order is a permutation.

@@ -13,6 +13,8 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/iterator/transform_iterator.hpp>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -21,50 +23,93 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// So many edges or faces have the numbers of their vertices looked up before the first of them is visited: numbers that
-/// are not in the cache arrive together, instead of each being waited for.
-constexpr std::size_t looked_up_together = 64;
+/// So many edges or faces are met before the first of them is visited, so that what one waits for, others need not.
+constexpr std::size_t met_together = 64;
+
+/// The number of a vertex is looked up when the vertex is met.
+template <class Numbering>
+struct Looked_up_at_once
+{
+  const Numbering* number;
+  template <class Vertex>
+  Index met(const Vertex& v) const
+  {
+    return (*number)(v);
+  }
+  Index operator()(Index i) const { return i; }
+};
+
+/// When a vertex is met, its number is asked for, and looked up later: numbers that are not in the cache arrive together.
+template <class Numbering>
+struct Looked_up_later
+{
+  const Numbering* number;
+  template <class Vertex>
+  Vertex met(const Vertex& v) const
+  {
+    number->prefetch(v);
+    return v;
+  }
+  template <class Vertex>
+  Index operator()(const Vertex& v) const
+  {
+    return (*number)(v);
+  }
+};
+
+template <class Numbering, class Visit_all>
+void look_up(const Numbering& number, const Visit_all& visit_all)
+{
+  if (number.is_table()) visit_all(Looked_up_later<Numbering>{&number});
+  else visit_all(Looked_up_at_once<Numbering>{&number});
+}
 
 /// Calls visit(i, j) with the numbers of the ends of each edge.
 template <class Mesh, class Numbering, class Visit>
 void for_each_edge(const Mesh& mesh, const Numbering& number, const Visit& visit)
 {
-  std::array<Index, 2 * looked_up_together> ends;
-  std::size_t size = 0;
-  const auto visit_all = [&] {
-    for (std::size_t i = 0; i < size; i += 2) visit(ends[i], ends[i + 1]);
-    size = 0;
-  };
-  for (auto e : make_range(edges(mesh))) {
-    ends[size++] = number(source(e, mesh));
-    ends[size++] = number(target(e, mesh));
-    if (size == ends.size()) visit_all();
-  }
-  visit_all();
+  look_up(number, [&](const auto& look_up) {
+    using Met = decltype(look_up.met(*vertices(mesh).first));
+    std::array<Met, 2 * met_together> ends;
+    std::size_t size = 0;
+    const auto visit_all = [&] {
+      for (std::size_t i = 0; i < size; i += 2) visit(look_up(ends[i]), look_up(ends[i + 1]));
+      size = 0;
+    };
+    for (auto e : make_range(edges(mesh))) {
+      ends[size++] = look_up.met(source(e, mesh));
+      ends[size++] = look_up.met(target(e, mesh));
+      if (size == ends.size()) visit_all();
+    }
+    visit_all();
+  });
 }
 
 /// Calls visit(begin, end) with the numbers of the corners of each face, in its order.
 template <class Mesh, class Numbering, class Visit>
 void for_each_face(const Mesh& mesh, const Numbering& number, const Visit& visit)
 {
-  std::vector<Index> corners;
-  std::vector<std::size_t> ends;
-  const auto visit_all = [&] {
-    const Index* begin = corners.data();
-    for (const std::size_t face_end : ends) {
-      const Index* const end = corners.data() + face_end;
-      visit(begin, end);
-      begin = end;
+  look_up(number, [&](const auto& look_up) {
+    using Met = decltype(look_up.met(*vertices(mesh).first));
+    std::vector<Met> corners;
+    std::vector<std::size_t> ends;
+    const auto visit_all = [&] {
+      auto begin = boost::make_transform_iterator(corners.data(), look_up);
+      for (const std::size_t face_end : ends) {
+        const auto end = boost::make_transform_iterator(corners.data() + face_end, look_up);
+        visit(begin, end);
+        begin = end;
+      }
+      corners.clear();
+      ends.clear();
+    };
+    for (auto f : make_range(faces(mesh))) {
+      for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(look_up.met(v));
+      ends.push_back(corners.size());
+      if (ends.size() == met_together) visit_all();
     }
-    corners.clear();
-    ends.clear();
-  };
-  for (auto f : make_range(faces(mesh))) {
-    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(number(v));
-    ends.push_back(corners.size());
-    if (ends.size() == looked_up_together) visit_all();
-  }
-  visit_all();
+    visit_all();
+  });
 }
 
 } // namespace internal

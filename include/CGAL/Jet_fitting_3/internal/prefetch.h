@@ -19,8 +19,17 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Asks for the value of a key to be brought into the cache, if the map hands out references: others do not tell where
-/// their values are. A hint.
+/// Asks for what stands at an address to be brought into the cache. A hint.
+inline void prefetch(const void* address)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
+/// Asks for the value of a key, if the map hands out references: others do not tell where their values are.
 template <class PropertyMap, class Key>
 void prefetch_value(const PropertyMap& map, const Key& key)
 {
@@ -29,15 +38,8 @@ void prefetch_value(const PropertyMap& map, const Key& key)
                 std::is_lvalue_reference<typename Traits::reference>::value) {
     const std::size_t cache_line = 64, size = sizeof(typename Traits::value_type);
     const char* const begin = reinterpret_cast<const char*>(std::addressof(get(map, key)));
-    const auto ask_for = [](const char* address) {
-#ifdef __GNUC__
-      __builtin_prefetch(address);
-#else
-      (void)address;
-#endif
-    };
-    for (std::size_t i = 0; i < size; i += cache_line) ask_for(begin + i);
-    ask_for(begin + size - 1);
+    for (std::size_t i = 0; i < size; i += cache_line) prefetch(begin + i);
+    prefetch(begin + size - 1);
   }
 }
 

@@ -27,17 +27,17 @@ template <class ConcurrencyTag, class Mesh, class Numbering, class Kernel>
 Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Point_table<Kernel>& points)
 {
   std::vector<Vector_3<float>> sums(number.size(), Vector_3<float>{0, 0, 0});
-  for_each_face(mesh, number, [&](const Index* begin, const Index* end) {
+  for_each_face(mesh, number, [&](auto begin, auto end) {
     Vector_3<double> area{0, 0, 0};
     Vector_3<double> last = points.offset_in_units(begin[0], begin[1]);
-    for (const Index* corner = begin + 2; corner != end; ++corner) {
+    for (auto corner = begin + 2; corner != end; ++corner) {
       const Vector_3<double> next = points.offset_in_units(begin[0], *corner);
       area = area + cross(last, next);
       last = next;
     }
     if (!std::isfinite(area.x + area.y + area.z)) return;
     const Vector_3<float> rough{float(area.x), float(area.y), float(area.z)};
-    for (const Index* corner = begin; corner != end; ++corner) sums[*corner] = sums[*corner] + rough;
+    for (auto corner = begin; corner != end; ++corner) sums[*corner] = sums[*corner] + rough;
   });
 
   Normal_table normals(sums.size());
