@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,49 +28,44 @@ namespace internal {
 constexpr std::size_t met_together = 64;
 
 /// The number of a vertex is looked up when the vertex is met.
-template <class Numbering>
+template <class Vertex, class Numbering>
 struct Looked_up_at_once
 {
+  using Met = Index;
   const Numbering* number;
-  template <class Vertex>
-  Index met(const Vertex& v) const
-  {
-    return (*number)(v);
-  }
-  Index operator()(Index i) const { return i; }
+  Met meet(const Vertex& v) const { return (*number)(v); }
+  Index operator()(Met met) const { return met; }
 };
 
 /// When a vertex is met, its number is asked for, and looked up later: numbers that are not in the cache arrive together.
-template <class Numbering>
+template <class Vertex, class Numbering>
 struct Looked_up_later
 {
+  using Met = Vertex;
   const Numbering* number;
-  template <class Vertex>
-  Vertex met(const Vertex& v) const
+  Met meet(const Vertex& v) const
   {
     number->prefetch(v);
     return v;
   }
-  template <class Vertex>
-  Index operator()(const Vertex& v) const
-  {
-    return (*number)(v);
-  }
+  Index operator()(const Met& met) const { return (*number)(met); }
 };
 
-template <class Numbering, class Visit_all>
-void look_up(const Numbering& number, const Visit_all& visit_all)
+/// Calls visit_all with the one of the two that suits the numbering.
+template <class Mesh, class Numbering, class Visit_all>
+void with_look_up(const Numbering& number, const Visit_all& visit_all)
 {
-  if (number.is_table()) visit_all(Looked_up_later<Numbering>{&number});
-  else visit_all(Looked_up_at_once<Numbering>{&number});
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  if (number.is_table()) visit_all(Looked_up_later<Vertex, Numbering>{&number});
+  else visit_all(Looked_up_at_once<Vertex, Numbering>{&number});
 }
 
 /// Calls visit(i, j) with the numbers of the ends of each edge.
 template <class Mesh, class Numbering, class Visit>
 void for_each_edge(const Mesh& mesh, const Numbering& number, const Visit& visit)
 {
-  look_up(number, [&](const auto& look_up) {
-    using Met = decltype(look_up.met(*vertices(mesh).first));
+  with_look_up<Mesh>(number, [&](const auto& look_up) {
+    using Met = typename std::decay_t<decltype(look_up)>::Met;
     std::array<Met, 2 * met_together> ends;
     std::size_t size = 0;
     const auto visit_all = [&] {
@@ -77,8 +73,8 @@ void for_each_edge(const Mesh& mesh, const Numbering& number, const Visit& visit
       size = 0;
     };
     for (auto e : make_range(edges(mesh))) {
-      ends[size++] = look_up.met(source(e, mesh));
-      ends[size++] = look_up.met(target(e, mesh));
+      ends[size++] = look_up.meet(source(e, mesh));
+      ends[size++] = look_up.meet(target(e, mesh));
       if (size == ends.size()) visit_all();
     }
     visit_all();
@@ -89,8 +85,8 @@ void for_each_edge(const Mesh& mesh, const Numbering& number, const Visit& visit
 template <class Mesh, class Numbering, class Visit>
 void for_each_face(const Mesh& mesh, const Numbering& number, const Visit& visit)
 {
-  look_up(number, [&](const auto& look_up) {
-    using Met = decltype(look_up.met(*vertices(mesh).first));
+  with_look_up<Mesh>(number, [&](const auto& look_up) {
+    using Met = typename std::decay_t<decltype(look_up)>::Met;
     std::vector<Met> corners;
     std::vector<std::size_t> ends;
     const auto visit_all = [&] {
@@ -104,7 +100,7 @@ void for_each_face(const Mesh& mesh, const Numbering& number, const Visit& visit
       ends.clear();
     };
     for (auto f : make_range(faces(mesh))) {
-      for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(look_up.met(v));
+      for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) corners.push_back(look_up.meet(v));
       ends.push_back(corners.size());
       if (ends.size() == met_together) visit_all();
     }
