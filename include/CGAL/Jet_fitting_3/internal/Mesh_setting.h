@@ -62,7 +62,7 @@ public:
     m_points.reserve(size());
     const Index ahead = 32; // so many points may be on their way from places far apart
     for (Index i = 0; i < size(); ++i) {
-      if (is_renumbered() && i + ahead < size()) prefetch_value(point_map, item(i + ahead));
+      if (m_order == Vertex_order::of_edges && i + ahead < size()) prefetch_value(point_map, item(i + ahead));
       m_points.push_back(get(point_map, item(i)));
     }
     m_points.measure();
