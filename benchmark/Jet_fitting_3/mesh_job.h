@@ -148,28 +148,18 @@ private:
 
 constexpr Fit_of_rings fits_of_rings[] = {{2, 2}, {3, 3}, {4, 3}};
 
-// What a job is timed by: one thread by its own processor time, which other programs do not change; several by the clock.
-enum class Timed_by
-{
-  processor,
-  clock
-};
-
 // One benchmark for each mesh and degree, named <prefix>/<mesh>/d:<degree>.
 template <class Job>
-void add_mesh_jobs(const std::string& prefix, Meshes& meshes, const std::vector<std::string>& names, Job job,
-                   Timed_by timed_by = Timed_by::processor)
+void add_mesh_jobs(const std::string& prefix, Meshes& meshes, const std::vector<std::string>& names, Job job)
 {
   for (const std::string& name : names)
-    for (const Fit_of_rings& fit : fits_of_rings) {
-      auto* const benchmark =
-          benchmark::RegisterBenchmark((prefix + '/' + name + "/d:" + std::to_string(fit.d)).c_str(),
-                                       [&meshes, name, fit, job](benchmark::State& state) {
-                                         time_job(state, meshes(name), fit, job);
-                                       });
-      benchmark->Unit(benchmark::kMillisecond)->MinTime(0.2);
-      if (timed_by == Timed_by::clock) benchmark->UseRealTime();
-    }
+    for (const Fit_of_rings& fit : fits_of_rings)
+      benchmark::RegisterBenchmark((prefix + '/' + name + "/d:" + std::to_string(fit.d)).c_str(),
+                                   [&meshes, name, fit, job](benchmark::State& state) {
+                                     time_job(state, meshes(name), fit, job);
+                                   })
+          ->Unit(benchmark::kMillisecond)
+          ->MinTime(0.2);
 }
 
 // The forms of all vertices, for all degrees.

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Monge form at every vertex by estimate_vertex_monge_forms(): with one thread and with two, on meshes of 10 thousand
-// to a million vertices, in natural and in random order; and gathering the neighborhoods alone.
+// A Monge form at every vertex by estimate_vertex_monge_forms() with one thread, on meshes of 10 thousand to a million
+// vertices, in natural and in random order; and gathering the neighborhoods alone.
 // usage: mesh_throughput [options of Google Benchmark | --answers=<file to write them to>] [folder of CGAL's data]
 
 #include "mesh_job.h"
@@ -13,15 +13,10 @@
 #include <CGAL/Jet_fitting_3/neighborhoods/Vertex_gatherer.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
-template <class ConcurrencyTag>
 void estimate(Mesh& mesh, const Fit_of_rings& fit, Forms& forms)
 {
-  CGAL::estimate_vertex_monge_forms<ConcurrencyTag>(mesh, CGAL::Jet_fitting::k_rings(fit.rings), forms,
-                                                    CGAL::parameters::degree_fitting(fit.d).degree_monge(fit.d));
+  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(fit.rings), forms,
+                                    CGAL::parameters::degree_fitting(fit.d).degree_monge(fit.d));
 }
 
 void gather_alone(benchmark::State& state, Mesh& mesh, int rings)
@@ -44,28 +39,17 @@ int main(int argc, char** argv)
   Meshes meshes(data_folder(argc, argv));
   const std::string answers = answers_path(argc, argv);
   if (!answers.empty()) {
-    write_mesh_answers(answers, meshes, compared_meshes, estimate<CGAL::Sequential_tag>);
+    write_mesh_answers(answers, meshes, compared_meshes, estimate);
     return 0;
   }
   benchmark::Initialize(&argc, argv);
-  add_mesh_jobs("mesh", meshes, {"armadillo", "torus_10000", "torus_100000", "torus_1000000"},
-                estimate<CGAL::Sequential_tag>);
-  add_mesh_jobs("mesh", meshes, {"torus_100000_shuffled", "torus_1000000_shuffled"}, estimate<CGAL::Sequential_tag>);
+  add_mesh_jobs("mesh", meshes, {"armadillo", "torus_10000", "torus_100000", "torus_1000000"}, estimate);
+  add_mesh_jobs("mesh", meshes, {"torus_100000_shuffled", "torus_1000000_shuffled"}, estimate);
   for (const int rings : {2, 3})
     benchmark::RegisterBenchmark(("gather/armadillo/rings:" + std::to_string(rings)).c_str(),
                                  [&meshes, rings](benchmark::State& state) {
                                    gather_alone(state, meshes("armadillo"), rings);
                                  })
         ->Unit(benchmark::kMillisecond);
-#ifdef CGAL_LINKED_WITH_TBB
-  for (const std::size_t threads : {1, 2})
-    add_mesh_jobs(
-        "threads_" + std::to_string(threads), meshes, {"torus_100000", "torus_1000000"},
-        [threads](Mesh& mesh, const Fit_of_rings& fit, Forms& forms) {
-          const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-          estimate<CGAL::Parallel_tag>(mesh, fit, forms);
-        },
-        Timed_by::clock);
-#endif
   benchmark::RunSpecifiedBenchmarks();
 }

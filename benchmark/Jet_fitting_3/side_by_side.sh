@@ -3,7 +3,7 @@
 # prints medians and ratios as tables: single fits, normals of points, whole meshes, many vertices, two threads, and CGAL 6's
 # interpolated corrected curvatures.
 #
-#   sh side_by_side.sh          everything: about a quarter of an hour
+#   sh side_by_side.sh          everything: about twenty minutes
 #   sh side_by_side.sh quick    a first look: one run, no large meshes, no CGAL 6
 #
 # Variables, with their defaults:
@@ -14,8 +14,8 @@
 #   CGAL_6=sid                release of Debian whose CGAL is unpacked for surface_peers (scripts/fetch_cgal.sh); none: left out
 #   BUILD_DIR=<root>/build    programs are built in its folder side_by_side; CMAKE_ARGUMENTS are added for cmake
 # Needs CMake, Google Benchmark and CGAL with its examples and data (Debian: libbenchmark-dev libcgal-dev libcgal-demo).
-# One thread is timed by its processor time, two by the clock. Columns: microseconds per fit, vertex or point; CGAL's over
-# ours; how far the checksums differ.
+# One thread is timed by its processor time, two threads and the one beside them by the clock. Columns: microseconds per fit,
+# vertex or point; CGAL's over ours; how far the checksums differ.
 set -eu
 mode=${1:-full}
 case $mode in
@@ -53,6 +53,16 @@ echo "building with $compiler $flags" >&2
 sides='fits_per_second_ours fits_per_second_cgal point_normals_ours point_normals_cgal mesh_throughput mesh_throughput_cgal'
 programs "$work/cgal" "$sides compare_answers"
 data=$(sed -n 's/^CGAL_DATA_DIR:[A-Z]*=//p' "$work/cgal/CMakeCache.txt")
+
+two_threads=
+if [ "$mode" = full ]; then
+  if cmake --build "$work/cgal" --target help | grep -q mesh_throughput_two_threads; then
+    two_threads=$work/cgal/mesh_throughput_two_threads
+    programs "$work/cgal" mesh_throughput_two_threads
+  else
+    echo "side_by_side.sh: without TBB there are no two threads to time" >&2
+  fi
+fi
 
 # CGAL 6, where it can be had.
 peers=
@@ -94,6 +104,7 @@ while [ "$run" -lt "$runs" ]; do
     timed ours "$work/cgal/$ours"
     timed cgal "$work/cgal/${program}_cgal"
   done
+  [ -z "$two_threads" ] || timed ours "$two_threads"
   [ -z "$peers" ] || timed ours "$work/cgal-$suite/$peers"
 done
 
@@ -111,17 +122,24 @@ awk -F, -v runs="$runs" '
   }
   { gsub(/"/, "") }
   $2 == "name" {
+    gain = 0
     for (i = 1; i <= NF; ++i) {
+      if ($i == "gain") gain = i
+      if ($i == "gain_apart") apart = i
       if ($i ~ /_per_second$/ && $i !~ /^(bytes|items)/) rate = i
       if ($i == "checksum") sum = i
     }
     next
   }
   rate && $rate > 0 {
-    sub(/\/(real_time|min_time).*/, "", $2)
+    sub(/\/(iterations|min_time).*/, "", $2)
     if (!($2 in seen)) { seen[$2] = 1; names[++count] = $2 }
     times[$1, $2] = times[$1, $2] " " 1e6 / $rate
     checksum[$1, $2] = $sum
+    if (gain && $gain > 0) {
+      gains[$2] = gains[$2] " " $gain
+      gains_apart[$2] = gains_apart[$2] " " $apart
+    }
   }
   END {
     print "| " runs " runs | ours, us | CGAL, us | ratio | checksums differ by |"
@@ -144,8 +162,10 @@ awk -F, -v runs="$runs" '
     for (d = 2; d <= 4; ++d) {
       for (n = 100000; n <= 1000000; n *= 10) {
         torus = "torus_" n
-        ratio("degree " d ", " n " vertices: one thread over two", time_of("ours", "threads_1/" torus "/d:" d),
-              time_of("ours", "threads_2/" torus "/d:" d))
+        name = "two_threads/" torus "/d:" d
+        if (name in gains)
+          printf "degree %d, %d vertices: one thread over two: %.2f; jobs that share nothing: %.2f\n", d, n,
+            median(gains[name]), median(gains_apart[name])
         ratio("degree " d ", " n " vertices: a vertex over one of 10000", time_of("ours", "mesh/" torus "/d:" d),
               time_of("ours", "mesh/torus_10000/d:" d))
         ratio("degree " d ", " n " vertices: shuffled over natural order",
