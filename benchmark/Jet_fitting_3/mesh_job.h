@@ -100,6 +100,11 @@ inline void report(benchmark::State& state, const Mesh& mesh, double checksum)
       benchmark::Counter(vertices * double(state.iterations()), benchmark::Counter::kIsRate);
 }
 
+inline void clear(const Mesh& mesh, Forms& forms)
+{
+  for (const Vertex v : mesh.vertices()) forms[v] = Form();
+}
+
 // Times job(mesh, fit, forms) on forms that are empty each time.
 template <class Job>
 void time_job(benchmark::State& state, Mesh& mesh, const Fit_of_rings& fit, Job job)
@@ -110,7 +115,7 @@ void time_job(benchmark::State& state, Mesh& mesh, const Fit_of_rings& fit, Job 
     job(mesh, fit, forms);
     state.PauseTiming();
     sum = checksum(mesh, forms);
-    for (const Vertex v : mesh.vertices()) forms[v] = Form();
+    clear(mesh, forms);
     state.ResumeTiming();
   }
   mesh.remove_property_map(forms);
@@ -148,18 +153,24 @@ private:
 
 constexpr Fit_of_rings fits_of_rings[] = {{2, 2}, {3, 3}, {4, 3}};
 
-// One benchmark for each mesh and degree, named <prefix>/<mesh>/d:<degree>.
+// A benchmark named <prefix>/<mesh>/d:<degree>.
+template <class Run>
+benchmark::internal::Benchmark* add_mesh_benchmark(const std::string& prefix, const std::string& mesh,
+                                                   const Fit_of_rings& fit, const Run& run)
+{
+  return benchmark::RegisterBenchmark((prefix + '/' + mesh + "/d:" + std::to_string(fit.d)).c_str(), run)
+      ->Unit(benchmark::kMillisecond);
+}
+
+// One for each mesh and degree.
 template <class Job>
 void add_mesh_jobs(const std::string& prefix, Meshes& meshes, const std::vector<std::string>& names, Job job)
 {
   for (const std::string& name : names)
     for (const Fit_of_rings& fit : fits_of_rings)
-      benchmark::RegisterBenchmark((prefix + '/' + name + "/d:" + std::to_string(fit.d)).c_str(),
-                                   [&meshes, name, fit, job](benchmark::State& state) {
-                                     time_job(state, meshes(name), fit, job);
-                                   })
-          ->Unit(benchmark::kMillisecond)
-          ->MinTime(0.2);
+      add_mesh_benchmark(prefix, name, fit, [&meshes, name, fit, job](benchmark::State& state) {
+        time_job(state, meshes(name), fit, job);
+      })->MinTime(0.2);
 }
 
 // The forms of all vertices, for all degrees.

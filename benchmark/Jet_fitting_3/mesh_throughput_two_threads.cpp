@@ -50,7 +50,7 @@ public:
   {
     for (int repeat = 0; repeat < 10; ++repeat) {
       estimate<CGAL::Sequential_tag>(m_mesh, fit, m_forms);
-      for (const Vertex v : m_mesh.vertices()) m_forms[v] = Form();
+      clear(m_mesh, m_forms);
     }
   }
 
@@ -89,7 +89,7 @@ void two_threads_beside_one(benchmark::State& state, Mesh& mesh, const Fit_of_ri
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const double time = seconds([&] { estimate<CGAL::Parallel_tag>(mesh, fit, forms); });
     sum = checksum(mesh, forms);
-    for (const Vertex v : mesh.vertices()) forms[v] = Form();
+    clear(mesh, forms);
     return time;
   };
 
@@ -112,17 +112,14 @@ void two_threads_beside_one(benchmark::State& state, Mesh& mesh, const Fit_of_ri
 
 int main(int argc, char** argv)
 {
-  Meshes meshes(data_folder(argc, argv));
+  Meshes meshes(""); // none is read from a file
   benchmark::Initialize(&argc, argv);
   for (const int size : {100000, 1000000})
     for (const Fit_of_rings& fit : fits_of_rings) {
       const std::string mesh = "torus_" + std::to_string(size);
-      benchmark::RegisterBenchmark(("two_threads/" + mesh + "/d:" + std::to_string(fit.d)).c_str(),
-                                   [&meshes, mesh, fit](benchmark::State& state) {
-                                     two_threads_beside_one(state, meshes(mesh), fit);
-                                   })
-          ->Unit(benchmark::kMillisecond)
-          ->Iterations(size > 100000 ? 5 : 15);
+      add_mesh_benchmark("two_threads", mesh, fit, [&meshes, mesh, fit](benchmark::State& state) {
+        two_threads_beside_one(state, meshes(mesh), fit);
+      })->Iterations(size > 100000 ? 5 : 15);
     }
   benchmark::RunSpecifiedBenchmarks();
 }
