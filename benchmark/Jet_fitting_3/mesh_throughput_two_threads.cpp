@@ -6,9 +6,10 @@
 
 // How many times faster two threads of estimate_vertex_monge_forms() are than one.
 //
-// A machine may give a program more or less of its two processors from one second to the next, a virtual machine's host
-// most of all. So one and two threads take turns, and after each turn the same is done with jobs that share nothing. What
-// those gain is what there is to gain: where it is not two, the machine is measured, not the program.
+// A machine may give a program more or less of its processors from one second to the next, a virtual machine's host most
+// of all, and more of one than of the other. So each run of two threads stands between two of one thread, one on each
+// processor, and after each such turn the same is done with jobs that share nothing. What those gain is what there is to
+// gain: where it is not two, the machine is measured, not the program.
 // usage: mesh_throughput_two_threads [options of Google Benchmark]
 
 #include "mesh_job.h"
@@ -17,8 +18,12 @@
 
 #include <tbb/global_control.h>
 
+#include <cerrno>
 #include <chrono>
+#include <system_error>
 #include <thread>
+
+#include <sched.h>
 
 template <class ConcurrencyTag>
 void estimate(Mesh& mesh, const Fit_of_rings& fit, Forms& forms)
@@ -42,6 +47,54 @@ double median(std::vector<double> values)
   return *middle;
 }
 
+// The processors that this thread may run on.
+class Processors
+{
+public:
+  Processors()
+  {
+    check(sched_getaffinity(0, sizeof(m_all), &m_all));
+    if (CPU_COUNT(&m_all) < 2) throw std::runtime_error("two threads need two processors");
+  }
+
+  // The result of job(), run on processor i of them.
+  template <class Job>
+  double on(int i, const Job& job) const
+  {
+    int processor = 0;
+    while (!CPU_ISSET(processor, &m_all) || i-- > 0) ++processor;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(processor, &one);
+    check(sched_setaffinity(0, sizeof(one), &one));
+    const double result = job();
+    check(sched_setaffinity(0, sizeof(m_all), &m_all));
+    return result;
+  }
+
+private:
+  static void check(int failed)
+  {
+    if (failed) throw std::system_error(errno, std::generic_category(), "the processors of a thread");
+  }
+
+  cpu_set_t m_all;
+};
+
+struct Turn
+{
+  double two;  // the time with two threads
+  double gain; // the time of one over it, one having the mean of its speeds on two processors
+};
+
+// \param with_one, with_two return how long they took
+template <class With_one, class With_two>
+Turn turn(const Processors& processors, const With_one& with_one, const With_two& with_two)
+{
+  const double first = processors.on(0, with_one), two = with_two(), second = processors.on(1, with_one);
+  return {two, 2 / (1 / first + 1 / second) / two};
+}
+
 // A mesh that stays in the cache of a processor.
 class Small_job
 {
@@ -59,49 +112,59 @@ private:
   Forms m_forms = m_mesh.add_property_map<Vertex, Form>("v:form").first;
 };
 
-// One thread's time over that of two, for jobs that share nothing.
+// Two jobs that share nothing.
 class Jobs_apart
 {
 public:
-  double gain(const Fit_of_rings& fit)
+  double one_after_the_other(const Fit_of_rings& fit)
   {
-    const auto run_first = [&] { m_first.run(fit); };
-    const auto run_second = [&] { m_second.run(fit); };
-    const double one_after_the_other = seconds(run_first) + seconds(run_second);
-    return one_after_the_other / seconds([&] {
-             std::thread other(run_second);
-             run_first();
-             other.join();
-           });
+    return seconds([&] {
+      m_first.run(fit);
+      m_second.run(fit);
+    });
+  }
+
+  double at_the_same_time(const Fit_of_rings& fit)
+  {
+    return seconds([&] {
+      std::thread other([&] { m_second.run(fit); });
+      m_first.run(fit);
+      other.join();
+    });
   }
 
 private:
   Small_job m_first, m_second;
 };
 
-// Each iteration is a turn. Counters, medians of the turns: `gain`, one thread's time over two threads'; `gain_apart`, that
-// of the jobs that share nothing; and the rate of two threads.
+// Each iteration is a turn. Counters, medians of the turns: `gain` of two threads, `gain_apart` of the jobs that share
+// nothing, and the rate of two threads.
 void two_threads_beside_one(benchmark::State& state, Mesh& mesh, const Fit_of_rings& fit)
 {
+  const Processors processors;
   Forms forms = mesh.add_property_map<Vertex, Form>("v:form").first;
   double sum = 0;
-  const auto time_of_threads = [&](std::size_t threads) {
+  const auto with_threads = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const double time = seconds([&] { estimate<CGAL::Parallel_tag>(mesh, fit, forms); });
     sum = checksum(mesh, forms);
     clear(mesh, forms);
     return time;
   };
-
-  time_of_threads(2); // the first call also waits for memory and for the threads' start
+  const auto with_one = [&] { return with_threads(1); };
+  const auto with_two = [&] { return with_threads(2); };
   Jobs_apart apart;
-  apart.gain(fit);
+  const auto one_after_the_other = [&] { return apart.one_after_the_other(fit); };
+  const auto at_the_same_time = [&] { return apart.at_the_same_time(fit); };
+
+  with_two(); // the first call also waits for memory and for the threads' start
+  at_the_same_time();
   std::vector<double> time, gain, gain_apart;
   for (auto _ : state) {
-    const double one = time_of_threads(1);
-    time.push_back(time_of_threads(2));
-    gain.push_back(one / time.back());
-    gain_apart.push_back(apart.gain(fit));
+    const Turn whole = turn(processors, with_one, with_two);
+    time.push_back(whole.two);
+    gain.push_back(whole.gain);
+    gain_apart.push_back(turn(processors, one_after_the_other, at_the_same_time).gain);
   }
   mesh.remove_property_map(forms);
   report(state, mesh, sum);

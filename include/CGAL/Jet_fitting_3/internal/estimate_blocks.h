@@ -35,7 +35,7 @@ template <class ConcurrencyTag, class DataKernel, class Make_gather, class Block
 bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Block_fitter& fit, const Orient& orient,
                      const Store& store, const Progress& progress)
 {
-  std::mutex mutex;
+  Brief_mutex mutex;
   std::size_t done = 0;
   bool cancelled = false;
 
@@ -55,7 +55,7 @@ bool estimate_blocks(std::size_t size, const Make_gather& make_gather, const Blo
             for (Fit_quality& quality : fit_of_i.quality) quality.standard_errors.turn();
         }
 
-      const std::lock_guard<std::mutex> lock(mutex);
+      const std::lock_guard<Brief_mutex> lock(mutex);
       if (cancelled) return false;
       store(first, fits);
       done += last - first;

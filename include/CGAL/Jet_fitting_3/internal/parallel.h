@@ -21,11 +21,23 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/partitioner.h>
+#include <tbb/spin_mutex.h>
 #endif
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
+
+/// For work that is done by one thread at a time, and in less time than it takes to wake a thread: the others wait awake.
+#ifdef CGAL_LINKED_WITH_TBB
+using Brief_mutex = tbb::spin_mutex;
+#else
+struct Brief_mutex
+{
+  void lock() {}
+  void unlock() {}
+};
+#endif
 
 /// Fixed, so that the results are the same bits whatever the number of threads.
 constexpr std::size_t block_size = 1024;
