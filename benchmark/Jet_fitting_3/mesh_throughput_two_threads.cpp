@@ -182,7 +182,7 @@ int main(int argc, char** argv)
       const std::string mesh = "torus_" + std::to_string(size);
       add_mesh_benchmark("two_threads", mesh, fit, [&meshes, mesh, fit](benchmark::State& state) {
         two_threads_beside_one(state, meshes(mesh), fit);
-      })->Iterations(size > 100000 ? 5 : 15);
+      })->Iterations(size > 100000 ? 9 : 15);
     }
   benchmark::RunSpecifiedBenchmarks();
 }
