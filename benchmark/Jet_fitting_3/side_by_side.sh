@@ -3,7 +3,7 @@
 # prints medians and ratios as tables: single fits, normals of points, whole meshes, many vertices, two threads, and CGAL 6's
 # interpolated corrected curvatures.
 #
-#   sh side_by_side.sh          everything: about twenty minutes
+#   sh side_by_side.sh          everything: about half an hour
 #   sh side_by_side.sh quick    a first look: one run, no large meshes, no CGAL 6
 #
 # Variables, with their defaults:
@@ -126,6 +126,7 @@ awk -F, -v runs="$runs" '
     for (i = 1; i <= NF; ++i) {
       if ($i == "gain") gain = i
       if ($i == "gain_apart") apart = i
+      if ($i == "gain_over_apart") over = i
       if ($i ~ /_per_second$/ && $i !~ /^(bytes|items)/) rate = i
       if ($i == "checksum") sum = i
     }
@@ -139,6 +140,7 @@ awk -F, -v runs="$runs" '
     if (gain && $gain > 0) {
       gains[$2] = gains[$2] " " $gain
       gains_apart[$2] = gains_apart[$2] " " $apart
+      gains_over[$2] = gains_over[$2] " " $over
     }
   }
   END {
@@ -164,8 +166,8 @@ awk -F, -v runs="$runs" '
         torus = "torus_" n
         name = "two_threads/" torus "/d:" d
         if (name in gains)
-          printf "degree %d, %d vertices: one thread over two: %.2f; jobs that share nothing: %.2f\n", d, n,
-            median(gains[name]), median(gains_apart[name])
+          printf "degree %d, %d vertices: one thread over two: %.2f; jobs that share nothing: %.2f; over one another: %.2f\n", d, n,
+            median(gains[name]), median(gains_apart[name]), median(gains_over[name])
         ratio("degree " d ", " n " vertices: a vertex over one of 10000", time_of("ours", "mesh/" torus "/d:" d),
               time_of("ours", "mesh/torus_10000/d:" d))
         ratio("degree " d ", " n " vertices: shuffled over natural order",
