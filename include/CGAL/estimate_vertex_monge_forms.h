@@ -49,7 +49,7 @@ namespace CGAL {
 /// \param np named parameters:
 ///        - `degree_fitting` d, the degree of the jet (2)
 ///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d)
-///        - `vertex_point_map` (the mesh's own)
+///        - `vertex_point_map` (the mesh's own); another one is read by the calling thread only
 ///        - `vertex_index_map` (the mesh's own, if it has one)
 ///        - `vertex_normal_map`, vectors of any length, to orient the forms
 ///        - `edge_is_constrained_map`: neighborhoods do not cross the edges for which it is true. A vertex on such an
@@ -76,7 +76,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
 {
   using namespace Jet_fitting::internal;
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  using Setting = Mesh_setting<FaceGraph, NamedParameters>;
+  using Setting = Mesh_setting<FaceGraph, NamedParameters, ConcurrencyTag>;
   using Kernel = typename Setting::Kernel;
   using Parameters = Fitting_parameters<Kernel, NamedParameters>;
   using Fits = std::vector<Fit<Kernel>>;
@@ -89,7 +89,7 @@ estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborh
   const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
   Normal_table normals;
   Compact_mesh compact;
-  do_both<ConcurrencyTag>([&] { normals = setting.template normals<ConcurrencyTag>(np); },
+  do_both<ConcurrencyTag>([&] { normals = setting.normals(np); },
                           [&] {
                             if constexpr (!is_own) compact = setting.compact(np);
                           });

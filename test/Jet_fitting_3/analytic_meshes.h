@@ -12,11 +12,13 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -180,6 +182,24 @@ inline std::array<double, 6> bezier_height(double u, double v)
 inline Analytic_mesh bezier(std::size_t n, bool quadrangles = false)
 {
   return graph("Bezier surface", n, bezier_height, quadrangles);
+}
+
+inline std::vector<std::size_t> random_permutation(std::size_t size, std::mt19937& random)
+{
+  std::vector<std::size_t> result(size);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  std::shuffle(result.begin(), result.end(), random);
+  return result;
+}
+
+// The same mesh, with point i in place[i].
+inline Analytic_mesh renumbered(const Analytic_mesh& mesh, const std::vector<std::size_t>& place)
+{
+  Analytic_mesh result = mesh;
+  for (std::size_t i = 0; i < place.size(); ++i) result.points[place[i]] = mesh.points[i];
+  for (auto& face : result.faces)
+    for (std::size_t& corner : face) corner = place[corner];
+  return result;
 }
 
 // The unit square in the plane z = 0, its inner vertices moved about: no two distances are equal.

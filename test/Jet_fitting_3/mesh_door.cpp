@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -353,13 +352,8 @@ void scattered_vertices(bool faces_too)
   const std::string where = faces_too ? "scattered vertices and faces" : "scattered vertices";
   const Analytic_mesh ordered = torus(2, 1, 260, 200);
   std::mt19937 random(6);
-  std::vector<std::size_t> place(ordered.points.size());
-  std::iota(place.begin(), place.end(), std::size_t(0));
-  std::shuffle(place.begin(), place.end(), random);
-  Analytic_mesh scattered = ordered;
-  for (std::size_t i = 0; i < place.size(); ++i) scattered.points[place[i]] = ordered.points[i];
-  for (auto& face : scattered.faces)
-    for (std::size_t& corner : face) corner = place[corner];
+  const std::vector<std::size_t> place = random_permutation(ordered.points.size(), random);
+  Analytic_mesh scattered = renumbered(ordered, place);
   if (faces_too) std::shuffle(scattered.faces.begin(), scattered.faces.end(), random);
 
   Mesh mesh = made(ordered), shuffled = made(scattered);

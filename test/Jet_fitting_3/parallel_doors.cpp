@@ -11,6 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
@@ -21,7 +22,9 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace test;
@@ -42,14 +45,24 @@ bool same_bits(const Forms& a, const Forms& b)
   });
 }
 
-// A surface with a border, an isolated and a bad vertex among its 15,000.
-Mesh bad_mesh()
+// That mesh with an isolated vertex more, and an infinite one among its own.
+Mesh spoiled(const Analytic_mesh& from)
 {
   Mesh mesh;
-  build(bezier(122), mesh);
+  build(from, mesh);
   mesh.add_vertex(Kernel::Point_3(9, 9, 9));
   mesh.point(Vertex(3000)) = Kernel::Point_3(0, 0, std::numeric_limits<double>::infinity());
   return mesh;
+}
+
+// In random order: it is put in order inside, in a way that depends on whether its faces are, too.
+Mesh scattered_mesh(bool faces_too)
+{
+  const Analytic_mesh ordered = torus(2, 1, 260, 200);
+  std::mt19937 random(6);
+  Analytic_mesh scattered = renumbered(ordered, random_permutation(ordered.points.size(), random));
+  if (faces_too) std::shuffle(scattered.faces.begin(), scattered.faces.end(), random);
+  return spoiled(scattered);
 }
 
 template <class Tag, class Neighborhood>
@@ -84,6 +97,37 @@ void same_for_all_threads(const Mesh& mesh, const Neighborhood& neighborhood, co
   }
   check_true(same_bits(mesh_forms<CGAL::Parallel_if_available_tag>(mesh, neighborhood), expected),
              what + " of a mesh, Parallel_if_available_tag");
+}
+
+// The points of a mesh, from a map that only the thread which made it may ask.
+class Points_of_one_thread
+{
+public:
+  using key_type = Vertex;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::readable_property_map_tag;
+
+  explicit Points_of_one_thread(const Mesh& mesh) : m_mesh(&mesh), m_owner(std::this_thread::get_id()) {}
+
+  friend const value_type& get(const Points_of_one_thread& map, Vertex v)
+  {
+    if (std::this_thread::get_id() != map.m_owner) throw std::logic_error("another thread asks for a point");
+    return map.m_mesh->point(v);
+  }
+
+private:
+  const Mesh* m_mesh;
+  std::thread::id m_owner;
+};
+
+void own_point_map(const Mesh& mesh)
+{
+  Forms forms(mesh.number_of_vertices());
+  CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(
+      mesh, k_rings(3), CGAL::make_property_map(forms),
+      CGAL::parameters::vertex_point_map(Points_of_one_thread(mesh)).degree_fitting(3).degree_monge(3));
+  check_true(same_bits(forms, mesh_forms<CGAL::Sequential_tag>(mesh, k_rings(3))), "a point map of the user's own");
 }
 
 void points_for_all_threads(const Mesh& mesh)
@@ -141,11 +185,13 @@ void progress(const Mesh& mesh)
 
 int main()
 {
-  const Mesh mesh = bad_mesh();
+  const Mesh mesh = spoiled(bezier(122));
   same_for_all_threads(mesh, k_rings(3), "k_rings");
   same_for_all_threads(mesh, enough_rings(20), "enough_rings");
   same_for_all_threads(mesh, nearest(20), "nearest");
   same_for_all_threads(mesh, within_radius(0.06), "within_radius");
+  for (const bool faces_too : {false, true}) same_for_all_threads(scattered_mesh(faces_too), k_rings(3), "scattered");
+  own_point_map(mesh);
   points_for_all_threads(mesh);
   progress(mesh);
   return result();

@@ -22,6 +22,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,9 @@ namespace Jet_fitting {
 namespace internal {
 
 /// What the estimation at all vertices of a mesh needs of it, copied into compact tables once for each call.
-template <class Mesh, class NamedParameters>
+///
+/// \tparam ConcurrencyTag whether the tables are made with several threads
+template <class Mesh, class NamedParameters, class ConcurrencyTag = Sequential_tag>
 class Mesh_setting
 {
   using Ids = decltype(vertex_ids(std::declval<const Mesh&>(), std::declval<const NamedParameters&>()));
@@ -43,6 +46,9 @@ class Mesh_setting
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   template <class Tag>
   using Is_default = parameters::is_default_parameter<NamedParameters, Tag>;
+  /// A map of the user's own may not be made for several threads.
+  using Reading_tag =
+      std::conditional_t<Is_default<internal_np::vertex_point_t>::value, ConcurrencyTag, Sequential_tag>;
 
 public:
   using Kernel = typename GetGeomTraits<Mesh, NamedParameters>::type;
@@ -59,17 +65,16 @@ public:
     }
     const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                         get_const_property_map(vertex_point, mesh));
-    m_points.reserve(size());
     const Index ahead = 32; // so many points may be on their way from places far apart
-    for (Index i = 0; i < size(); ++i) {
+    m_points.template read<Reading_tag>(size(), [&](Index i) -> decltype(auto) {
       if (m_order == Vertex_order::of_edges && i + ahead < size()) prefetch_value(point_map, item(i + ahead));
-      m_points.push_back(get(point_map, item(i)));
-    }
-    m_points.measure();
+      return get(point_map, item(i));
+    });
+    m_points.template measure<ConcurrencyTag>();
     if (m_order == Vertex_order::in_space) {
       const std::vector<Index> permutation = spatial_order(m_points);
       m_number->reorder(permutation);
-      m_points.reorder(permutation);
+      m_points.template reorder<ConcurrencyTag>(permutation);
     }
   }
 
@@ -105,7 +110,6 @@ public:
   }
 
   /// The normals of the mesh, or the given ones.
-  template <class ConcurrencyTag = Sequential_tag>
   Normal_table normals(const NamedParameters& np) const
   {
     if constexpr (Is_default<internal_np::vertex_normal_map_t>::value) {

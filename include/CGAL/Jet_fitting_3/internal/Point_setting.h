@@ -17,6 +17,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <iterator>
@@ -77,11 +78,17 @@ public:
   Point_setting(const Range& range, const NamedParameters& np)
   {
     const Point_map point_map = point_map_of(range, np);
-    for (const auto& item : range) m_points.push_back(get(point_map, item));
-    if (size() >= most_vertices)
-      throw Invalid_input("a set of " + std::to_string(size()) + " points is too large: the limit is " +
+    const auto number = static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
+    if (number >= most_vertices)
+      throw Invalid_input("a set of " + std::to_string(number) + " points is too large: the limit is " +
                           std::to_string(most_vertices - 1));
-    m_points.measure();
+    auto item = std::begin(range);
+    m_points.template read<Sequential_tag>(number, [&](Index) {
+      const Point p = get(point_map, *item);
+      ++item;
+      return p;
+    });
+    m_points.template measure<Sequential_tag>();
     read_normals(range, np);
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
 #include <CGAL/Jet_fitting_3/internal/Vertex_numbering.h>
+#include <CGAL/Jet_fitting_3/internal/parallel.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
@@ -18,7 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <mutex>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,11 +38,25 @@ class Packed_points
   using Point_3 = typename Kernel::Point_3;
 
 public:
-  void reserve(std::size_t size) { m_points.reserve(size); }
-  std::size_t size() const { return m_points.size(); }
-  void reorder(const std::vector<Index>& order) { m_points = reordered(m_points, order); }
-  void push_back(const Point_3& p) { m_points.push_back({p.x(), p.y(), p.z()}); }
+  std::size_t size() const { return m_size; }
   Point_3 operator[](Index i) const { return Point_3(m_points[i].x, m_points[i].y, m_points[i].z); }
+
+  /// Reads the points point_of(0), ..., point_of(size - 1), with the threads that there are.
+  template <class ConcurrencyTag, class Point_of>
+  void read(std::size_t size, const Point_of& point_of)
+  {
+    fill<ConcurrencyTag>(size, [&](Index i) {
+      const Point_3& p = point_of(i);
+      return Vector_3<FT>{p.x(), p.y(), p.z()};
+    });
+  }
+
+  template <class ConcurrencyTag>
+  void reorder(const std::vector<Index>& order)
+  {
+    const auto old = std::move(m_points);
+    fill<ConcurrencyTag>(order.size(), [&](Index i) { return old[order[i]]; });
+  }
 
   bool is_finite(Index i) const
   {
@@ -57,6 +76,14 @@ public:
   }
 
 private:
+  template <class ConcurrencyTag, class Value>
+  void fill(std::size_t size, const Value& value)
+  {
+    m_points.reset(new Vector_3<FT>[size]); // not initialized: the pages are first touched, and made, by all threads
+    m_size = size;
+    for_each_number<ConcurrencyTag>(size, [&](std::size_t i) { m_points[i] = value(static_cast<Index>(i)); });
+  }
+
   /// That of two floats is exact.
   static double difference(FT from, FT to)
   {
@@ -64,7 +91,8 @@ private:
     return double(Wider(to) - Wider(from));
   }
 
-  std::vector<Vector_3<FT>> m_points;
+  std::unique_ptr<Vector_3<FT>[]> m_points;
+  std::size_t m_size = 0;
 };
 
 template <class Kernel>
@@ -73,11 +101,22 @@ class Packed_points<Kernel, false>
   using Point_3 = typename Kernel::Point_3;
 
 public:
-  void reserve(std::size_t size) { m_points.reserve(size); }
   std::size_t size() const { return m_points.size(); }
-  void reorder(const std::vector<Index>& order) { m_points = reordered(m_points, order); }
-  void push_back(const Point_3& p) { m_points.push_back(p); }
   const Point_3& operator[](Index i) const { return m_points[i]; }
+
+  /// With one thread: a point may be a handle that others share.
+  template <class, class Point_of>
+  void read(std::size_t size, const Point_of& point_of)
+  {
+    m_points.reserve(size);
+    for (Index i = 0; i < size; ++i) m_points.push_back(point_of(i));
+  }
+
+  template <class>
+  void reorder(const std::vector<Index>& order)
+  {
+    m_points = reordered(m_points, order);
+  }
 
   bool is_finite(Index i) const
   {
@@ -107,20 +146,23 @@ class Point_table : public Packed_points<Kernel>
 
 public:
   /// To be called once the table is filled: the unit is a power of two above the size of the bounding box.
+  template <class ConcurrencyTag>
   void measure()
   {
-    double size = 0;
-    Index first = no_index;
+    Index origin = 0;
+    while (origin < Base::size() && !Base::is_finite(origin)) ++origin;
     m_all_are_finite = true;
-    for (Index i = 0; i < Base::size(); ++i) {
-      if (!Base::is_finite(i)) {
-        m_all_are_finite = false;
-        continue;
-      }
-      if (first == no_index) first = i;
-      const Vector_3<double> d = Base::offset(first, i);
-      size = (std::max)({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    }
+    double size = 0;
+    Brief_mutex mutex;
+    for_each_block<ConcurrencyTag>(Base::size(), [&] {
+      return [&](std::size_t first, std::size_t last) {
+        const Extent block = extent(origin, Index(first), Index(last));
+        const std::lock_guard<Brief_mutex> lock(mutex);
+        m_all_are_finite = m_all_are_finite && block.all_are_finite;
+        size = (std::max)(size, block.size);
+        return true;
+      };
+    });
     m_per_length = 1 / numeric::power_of_two_above(size);
   }
 
@@ -143,6 +185,27 @@ public:
   }
 
 private:
+  struct Extent
+  {
+    double size;
+    bool all_are_finite;
+  };
+
+  /// Of the points first, ..., last - 1 and the origin.
+  Extent extent(Index origin, Index first, Index last) const
+  {
+    Extent result{0, true};
+    for (Index i = first; i < last; ++i) {
+      if (!Base::is_finite(i)) {
+        result.all_are_finite = false;
+        continue;
+      }
+      const Vector_3<double> d = Base::offset(origin, i);
+      result.size = (std::max)({result.size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    return result;
+  }
+
   double m_per_length = 1;
   bool m_all_are_finite = false; // as far as is known
 };

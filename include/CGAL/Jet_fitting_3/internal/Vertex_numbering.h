@@ -69,6 +69,7 @@ class Vertex_numbering
 public:
   Vertex_numbering(const Mesh& mesh, Ids ids) : m_ids(ids)
   {
+    m_vertices.reserve(num_vertices(mesh)); // some meshes count removed ones, too
     for (vertex_descriptor v : make_range(vertices(mesh))) m_vertices.push_back(v);
     m_vertices.shrink_to_fit();
     if (size() >= most_vertices)

@@ -69,6 +69,18 @@ void for_each_block(std::size_t size, const Make_worker& make_worker)
   }
 }
 
+/// Calls visit(i) for every number i below size.
+template <class ConcurrencyTag, class Visit>
+void for_each_number(std::size_t size, const Visit& visit)
+{
+  for_each_block<ConcurrencyTag>(size, [&] {
+    return [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) visit(i);
+      return true;
+    };
+  });
+}
+
 /// Runs two tasks, at the same time if there are threads.
 template <class ConcurrencyTag, class First, class Second>
 void do_both(const First& first, const Second& second)

@@ -41,12 +41,7 @@ Normal_table vertex_normals(const Mesh& mesh, const Numbering& number, const Poi
   });
 
   Normal_table normals(sums.size());
-  for_each_block<ConcurrencyTag>(sums.size(), [&] {
-    return [&](std::size_t first, std::size_t last) {
-      for (Index i = Index(first); i < last; ++i) normals.set(i, sums[i]);
-      return true;
-    };
-  });
+  for_each_number<ConcurrencyTag>(sums.size(), [&](std::size_t i) { normals.set(static_cast<Index>(i), sums[i]); });
   return normals;
 }
 
