@@ -66,7 +66,7 @@ void arithmetic()
   using P = Pack<T, lanes>;
   const std::string name = "Pack of " + text(lanes) + (sizeof(T) == 4 ? " floats: " : " doubles: ");
   std::mt19937 random(7);
-  std::array<int, 14> wrong{};
+  std::array<int, 15> wrong{};
   for (int trial = 0; trial < 2000; ++trial) {
     std::array<T, std::size_t(lanes)> a, b;
     for (T& x : a) x = awkward<T>(random);
@@ -75,17 +75,19 @@ void arithmetic()
     const P sum = p + q, difference = p - q, product = p * q, quotient = p / q, negative = -p;
     const P root = numeric::square_root(p), size = numeric::absolute(p), most = numeric::larger(p, q);
     const P chosen = numeric::select(p < q, p, q), power = numeric::power_of_two_above(p);
+    const P inverse = numeric::inverse_of_power_of_two(power);
     const auto less = p<q, more = p> q, equal = p == q, finite = numeric::is_finite(p);
     bool any_less = false, all_less = true;
     for (int i = 0; i < lanes; ++i) {
       const T x = a[std::size_t(i)], y = b[std::size_t(i)];
+      const T power_of_x = numeric::power_of_two_above(x), inverse_of_x = numeric::inverse_of_power_of_two(power_of_x);
       std::size_t rule = 0;
       for (const bool right :
            {same<T>(sum[i], x + y), same<T>(difference[i], x - y), same<T>(product[i], x * y),
             same<T>(quotient[i], x / y), same<T>(negative[i], -x), same<T>(root[i], std::sqrt(x)),
             size[i] == std::abs(x) || x != x, same<T>(most[i], x < y ? y : x), same<T>(chosen[i], x < y ? x : y),
-            same<T>(power[i], numeric::power_of_two_above(x)), less[i] == (x < y), more[i] == (x > y),
-            equal[i] == (x == y), finite[i] == std::isfinite(x)}) {
+            same<T>(power[i], power_of_x), same<T>(inverse[i], inverse_of_x) && same<T>(inverse_of_x, 1 / power_of_x),
+            less[i] == (x < y), more[i] == (x > y), equal[i] == (x == y), finite[i] == std::isfinite(x)}) {
         wrong[rule] += !right;
         ++rule;
       }
@@ -102,9 +104,9 @@ void arithmetic()
     p.store(stored.data());
     check_true(std::memcmp(stored.data(), a.data(), sizeof(stored)) == 0, name + "load and store");
   }
-  const char* const rules[] = {"+",           "-",        "*",      "/",        "unary -",
-                               "square root", "absolute", "larger", "select",   "power of two above",
-                               "<",           ">",        "==",     "is_finite"};
+  const char* const rules[] = {"+",           "-",        "*",      "/",      "unary -",
+                               "square root", "absolute", "larger", "select", "power of two above",
+                               "its inverse", "<",        ">",      "==",     "is_finite"};
   for (std::size_t i = 0; i < wrong.size(); ++i) check_equal(wrong[i], 0, name + rules[i] + ": wrong lanes");
 
   const P constant(2.5);

@@ -147,7 +147,7 @@ Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t d
                         const Make_fitting_basis& make_fitting_basis, Solver& solver, const Fit_options& options)
 {
   const FT unit = unit_of_length(samples);
-  samples.scale(FT(1) / unit);
+  samples.scale(numeric::inverse_of_power_of_two(unit));
   if (options.weights_by_distance()) weight_by_distance(samples, options);
   Estimation<FT> e = estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options);
   measure_in_smaller_unit(e, unit);

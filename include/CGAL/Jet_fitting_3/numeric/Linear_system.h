@@ -45,7 +45,7 @@ private:
   Buffer<FT, (inline_bytes > sizeof(FT) ? inline_bytes / sizeof(FT) : 1)> m_entries;
 };
 
-/// An upper triangular matrix, by columns.
+/// An upper triangular matrix, by rows, each from its diagonal on.
 template <class FT>
 class Upper_triangle
 {
@@ -54,17 +54,17 @@ public:
   void resize(std::size_t size)
   {
     m_size = size;
-    m_entries.resize(size * (size + 1) / 2);
+    m_entries.resize(size * (size + 1) / 2 + 1); // one more, where the row after the last would begin
   }
   std::size_t size() const { return m_size; }
-  FT& operator()(std::size_t i, std::size_t j) { return column(j)[i]; }
-  const FT& operator()(std::size_t i, std::size_t j) const { return column(j)[i]; }
-  FT* column(std::size_t j) { return m_entries.data() + j * (j + 1) / 2; } ///< of j + 1 entries
-  const FT* column(std::size_t j) const { return m_entries.data() + j * (j + 1) / 2; }
+  FT& operator()(std::size_t i, std::size_t j) { return row(i)[j - i]; }
+  const FT& operator()(std::size_t i, std::size_t j) const { return row(i)[j - i]; }
+  FT* row(std::size_t i) { return m_entries.data() + i * (2 * m_size + 1 - i) / 2; }
+  const FT* row(std::size_t i) const { return m_entries.data() + i * (2 * m_size + 1 - i) / 2; }
 
 private:
   std::size_t m_size = 0;
-  Buffer<FT, 120> m_entries;
+  Buffer<FT, 121> m_entries;
 };
 
 /// The least squares solution of M Y = Z, and what came to light on the way.

@@ -166,6 +166,25 @@ FT power_of_two_above(const FT& x)
   else return x > FT(0) && is_finite(x) ? next_power_of_two(x) : FT(1);
 }
 
+inline double inverse_of_power_of_two(double p)
+{
+  if (!std::numeric_limits<double>::is_iec559) return 1 / p;
+  std::uint64_t bits;
+  std::memcpy(&bits, &p, sizeof(double));
+  bits = 0x7fe0000000000000u - bits;
+  double inverse;
+  std::memcpy(&inverse, &bits, sizeof(double));
+  return inverse;
+}
+
+/// 1/p for what power_of_two_above() returns. What follows waits for it, and a division of doubles takes several times as
+/// long as to turn the sign of the exponent.
+template <class FT>
+FT inverse_of_power_of_two(const FT& p)
+{
+  return FT(1) / p;
+}
+
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

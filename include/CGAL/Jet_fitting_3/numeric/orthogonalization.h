@@ -100,34 +100,25 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
   solution.y.resize(columns);
   solution.rank = columns;
 
-  // R = D U with the norms on the diagonal of D; U has ones on its diagonal, components above it
-  Buffer<FT, 48> component_buffer, norm_buffer;
-  component_buffer.resize(columns + 1);
-  norm_buffer.resize(columns);
-  FT *const component = component_buffer.data(), *const norm = norm_buffer.data(), *const y = solution.y.data();
+  // R = D U with the norms on the diagonal of D; U has ones on its diagonal, components to the right of it
+  FT* const y = solution.y.data();
+  FT* row = solution.r.row(0);
   FT square = square_norm(system.column(0), rows);
   FT largest = square, smallest = square;
   for (std::size_t k = 0; k < columns; ++k) {
     largest = larger(largest, square);
     smallest = select(square < smallest, square, smallest);
-    norm[k] = square_root(square);
+    row[0] = square; // for now: the division must not wait for its root
     square = orthogonalize_to(system.column(k), FT(FT(1) / square), rows, columns - k, system.column(k + 1),
-                              component + k + 1); // of the columns to the right and of Z
-    FT* u = solution.r.column(k) + k;
-    for (std::size_t j = k + 1; j < columns; ++j) {
-      u += j; // one column on in row k
-      *u = component[j];
-    }
-    y[k] = component[columns];
+                              row + 1); // of the columns to the right and of Z
+    row += columns - k;
+    y[k] = row[0]; // the component of Z, whose place is the diagonal of the next row
   }
-  for (std::size_t j = columns; j-- > 0;) {
-    const FT* u = solution.r.column(j);
-    for (std::size_t i = 0; i < j; ++i) y[i] = y[i] - u[i] * y[j];
-  }
-  for (std::size_t j = 0; j < columns; ++j) {
-    FT* r = solution.r.column(j);
-    for (std::size_t i = 0; i < j; ++i) r[i] = norm[i] * r[i];
-    r[j] = norm[j];
+  for (std::size_t i = columns; i-- > 0;) {
+    row -= columns - i;
+    for (std::size_t j = columns; --j > i;) y[i] = y[i] - row[j - i] * y[j];
+    row[0] = square_root(row[0]);
+    for (std::size_t j = 1; j < columns - i; ++j) row[j] = row[0] * row[j];
   }
   solution.square_sum = square; // of what is left of Z, the residual
   // comparisons pass over a NaN on the way, but it has reached the residual

@@ -51,7 +51,8 @@ struct Eigen_2
 template <class FT>
 Eigen_2<FT> symmetric_eigen_2(const FT& a, const FT& b, const FT& c)
 {
-  const FT difference = a - c, per_unit = FT(1) / power_of_two_above(larger(absolute(difference), absolute(b)));
+  const FT difference = a - c;
+  const FT per_unit = inverse_of_power_of_two(power_of_two_above(larger(absolute(difference), absolute(b))));
   const Rotation<FT> rotation = jacobi_rotation(FT(per_unit * difference), FT(per_unit * b), FT(0));
   const FT first = a + rotation.tangent * b, second = c - rotation.tangent * b;
   const auto swapped = first < second;
@@ -88,8 +89,8 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
   const FT minors = (a.xx * a.yy - a.xy * a.xy) + (a.xx * a.zz - a.xz * a.xz) + (a.yy * a.zz - a.yz * a.yz);
   const FT determinant =
       a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) + a.xz * (a.xy * a.yz - a.yy * a.xz);
-  FT lambda(0);
-  for (int step = 0; step < 3; ++step)
+  FT lambda = determinant / minors; // the first step
+  for (int step = 0; step < 2; ++step)
     lambda = lambda + (determinant - lambda * (minors - lambda * (trace - lambda))) /
                           (minors - lambda * (FT(2) * trace - FT(3) * lambda));
 
@@ -116,7 +117,7 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
 template <class FT>
 Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
 {
-  const FT unit = power_of_two_above(FT(matrix.xx + matrix.yy + matrix.zz)), per_unit = FT(1) / unit;
+  const FT unit = power_of_two_above(FT(matrix.xx + matrix.yy + matrix.zz)), per_unit = inverse_of_power_of_two(unit);
   const Symmetric_3<FT> a{per_unit * matrix.xx, per_unit * matrix.xy, per_unit * matrix.xz,
                           per_unit * matrix.yy, per_unit * matrix.yz, per_unit * matrix.zz};
   // a basis around the guess (Duff et al. 2017)

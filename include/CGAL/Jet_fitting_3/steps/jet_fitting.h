@@ -109,7 +109,7 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
   h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, wider, extent_u)));
   h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, wider, extent_v)));
-  const FT inverse_hu = FT(1) / h.hu, inverse_hv = FT(1) / h.hv;
+  const FT inverse_hu = numeric::inverse_of_power_of_two(h.hu), inverse_hv = numeric::inverse_of_power_of_two(h.hv);
   for (std::size_t i = 0; i < padded; ++i) {
     u[i] = u[i] * inverse_hu;
     v[i] = v[i] * inverse_hv;

@@ -100,6 +100,9 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
   Monge_coefficients<FT> coefficients;
   coefficients.resize(number_of_monge_coefficients(dprime));
   if (dprime < 2) return coefficients;
+  coefficients[0] = monge.k1;
+  coefficients[1] = monge.k2;
+  if (dprime == 2) return coefficients;
 
   const FT wx = monge.axes.x.z / monge.axes.z.z, wy = monge.axes.y.z / monge.axes.z.z;
   const Power_series<FT> heights = heights_over_tangent_plane(jet, monge, dprime);
@@ -119,8 +122,6 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
     }
   }
 
-  coefficients[0] = monge.k1;
-  coefficients[1] = monge.k2;
   const auto factorials = numeric::factorials<FT>(dprime);
   for (std::size_t k = 3; k <= dprime; ++k)
     for (std::size_t i = 0; i <= k; ++i)
