@@ -36,52 +36,50 @@ FT square_norm(const FT* a, std::size_t rows)
   return inner_product(a, a, rows);
 }
 
-/// Makes `count` columns orthogonal to q, given 1 / (q . q); writes their components along q. Several columns at a time:
-/// q is read once for all, and their sums do not wait for each other.
-/// \return the square norm of the first of them, the next q
-template <std::size_t count, class FT>
-FT orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, FT* columns, FT* components)
+/// Subtracts components[c] q from column c of `count` columns, and writes the products of what is left of them with the
+/// next q. All in one pass, in which each column is read once and the sums do not wait for each other.
+/// \tparam begins_with_next whether the next q is what is left of the first column; otherwise it is `next`
+template <std::size_t count, bool begins_with_next, class FT>
+void orthogonalize_to(const FT* q, const FT* next, std::size_t rows, const FT* components, FT* columns, FT* products)
 {
   using Rows = Row_block<FT>;
-  typename Rows::type sum[count];
-  for (std::size_t c = 0; c < count; ++c) sum[c] = typename Rows::type(FT(0));
-  for (std::size_t i = 0; i < rows; i += Rows::size) {
-    const auto qi = Rows::load(q + i);
-    for (std::size_t c = 0; c < count; ++c) sum[c] = sum[c] + qi * Rows::load(columns + c * rows + i);
-  }
-  typename Rows::type component[count], square(FT(0));
+  using Row = typename Rows::type;
+  Row component[count], product[count];
   for (std::size_t c = 0; c < count; ++c) {
-    components[c] = Rows::sum(sum[c]) * inverse_square;
-    component[c] = typename Rows::type(components[c]);
+    component[c] = Row(components[c]);
+    product[c] = Row(FT(0));
   }
   for (std::size_t i = 0; i < rows; i += Rows::size) {
-    const auto qi = Rows::load(q + i);
+    const Row qi = Rows::load(q + i);
+    Row next_i;
+    if constexpr (!begins_with_next) next_i = Rows::load(next + i);
     for (std::size_t c = 0; c < count; ++c) {
-      FT* a = columns + c * rows + i;
-      const auto rest = Rows::load(a) - component[c] * qi;
+      FT* const a = columns + c * rows + i;
+      const Row rest = Rows::load(a) - component[c] * qi;
+      if (begins_with_next && c == 0) next_i = rest;
       Rows::store(rest, a);
-      if (c == 0) square = square + rest * rest;
+      product[c] = product[c] + next_i * rest;
     }
   }
-  return Rows::sum(square);
+  for (std::size_t c = 0; c < count; ++c) products[c] = Rows::sum(product[c]);
 }
 
-/// The same for any number of columns.
+/// The same for any number of columns that begin with the next q.
 template <class FT>
-FT orthogonalize_to(const FT* q, const FT& inverse_square, std::size_t rows, std::size_t count, FT* columns,
-                    FT* components)
+void orthogonalize_to(const FT* q, std::size_t rows, std::size_t count, const FT* components, FT* columns, FT* products)
 {
-  switch (count) {
-  case 1: return orthogonalize_to<1>(q, inverse_square, rows, columns, components);
-  case 2: return orthogonalize_to<2>(q, inverse_square, rows, columns, components);
-  case 3: return orthogonalize_to<3>(q, inverse_square, rows, columns, components);
-  case 4: return orthogonalize_to<4>(q, inverse_square, rows, columns, components);
-  case 5: return orthogonalize_to<5>(q, inverse_square, rows, columns, components);
-  default: break;
+  constexpr std::size_t together = 6;
+  const std::size_t first = (count - 1) % together + 1;
+  switch (first) {
+  case 1: orthogonalize_to<1, true>(q, columns, rows, components, columns, products); break;
+  case 2: orthogonalize_to<2, true>(q, columns, rows, components, columns, products); break;
+  case 3: orthogonalize_to<3, true>(q, columns, rows, components, columns, products); break;
+  case 4: orthogonalize_to<4, true>(q, columns, rows, components, columns, products); break;
+  case 5: orthogonalize_to<5, true>(q, columns, rows, components, columns, products); break;
+  default: orthogonalize_to<together, true>(q, columns, rows, components, columns, products);
   }
-  const FT square = orthogonalize_to<6>(q, inverse_square, rows, columns, components);
-  if (count > 6) orthogonalize_to(q, inverse_square, rows, count - 6, columns + 6 * rows, components + 6);
-  return square;
+  for (std::size_t c = first; c < count; c += together)
+    orthogonalize_to<together, false>(q, columns, rows, components + c, columns + c * rows, products + c);
 }
 
 /// Least squares by modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the
@@ -103,17 +101,22 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
   // R = D U with the norms on the diagonal of D; U has ones on its diagonal, components to the right of it
   FT* const y = solution.y.data();
   FT* row = solution.r.row(0);
-  FT square = square_norm(system.column(0), rows);
-  FT largest = square, smallest = square;
+  Buffer<FT, 48> buffer;
+  buffer.resize(columns + 1);
+  FT* const products = buffer.data(); // of column k with itself, with those to the right of it, and with Z
+  for (std::size_t j = 0; j <= columns; ++j) products[j] = inner_product(system.column(0), system.column(j), rows);
+  FT largest = products[0], smallest = products[0];
   for (std::size_t k = 0; k < columns; ++k) {
+    const FT square = products[0], inverse = FT(1) / square;
     largest = larger(largest, square);
     smallest = select(square < smallest, square, smallest);
     row[0] = square; // for now: the division must not wait for its root
-    square = orthogonalize_to(system.column(k), FT(FT(1) / square), rows, columns - k, system.column(k + 1),
-                              row + 1); // of the columns to the right and of Z
+    for (std::size_t c = 1; c <= columns - k; ++c) row[c] = inverse * products[c];
+    orthogonalize_to(system.column(k), rows, columns - k, row + 1, system.column(k + 1), products);
     row += columns - k;
     y[k] = row[0]; // the component of Z, whose place is the diagonal of the next row
   }
+  const FT square = products[0];
   for (std::size_t i = columns; i-- > 0;) {
     row -= columns - i;
     for (std::size_t j = columns; --j > i;) y[i] = y[i] - row[j - i] * y[j];

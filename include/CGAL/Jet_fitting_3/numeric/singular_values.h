@@ -91,8 +91,9 @@ Least_squares_solution<FT> solve_by_singular_values(Linear_system<FT>& system)
     const FT square = square_norm(system.column(j), rows);
     if (!(square > relative * relative * largest)) continue;
     ++solution.rank;
-    FT component;
-    orthogonalize_to<1>(system.column(j), FT(FT(1) / square), rows, system.right_side(), &component);
+    FT* const rest = system.right_side();
+    const FT component = inner_product(system.column(j), rest, rows) / square;
+    orthogonalize_to<1, true>(system.column(j), rest, rows, &component, rest, &solution.square_sum);
     for (std::size_t i = 0; i < columns; ++i) solution.y[i] = solution.y[i] + component * v[j * columns + i];
   }
   solution.square_sum = square_norm(system.right_side(), rows);
