@@ -184,21 +184,24 @@ inline Analytic_mesh bezier(std::size_t n, bool quadrangles = false)
   return graph("Bezier surface", n, bezier_height, quadrangles);
 }
 
-inline std::vector<std::size_t> random_permutation(std::size_t size, std::mt19937& random)
+// A mesh in random order, and where point i of the ordered one is in it.
+struct Scattered_mesh
 {
-  std::vector<std::size_t> result(size);
-  std::iota(result.begin(), result.end(), std::size_t(0));
-  std::shuffle(result.begin(), result.end(), random);
-  return result;
-}
+  Analytic_mesh mesh;
+  std::vector<std::size_t> place;
+};
 
-// The same mesh, with point i in place[i].
-inline Analytic_mesh renumbered(const Analytic_mesh& mesh, const std::vector<std::size_t>& place)
+inline Scattered_mesh scattered(const Analytic_mesh& ordered, bool faces_too)
 {
-  Analytic_mesh result = mesh;
-  for (std::size_t i = 0; i < place.size(); ++i) result.points[place[i]] = mesh.points[i];
-  for (auto& face : result.faces)
+  std::mt19937 random(6);
+  Scattered_mesh result{ordered, std::vector<std::size_t>(ordered.points.size())};
+  auto& [mesh, place] = result;
+  std::iota(place.begin(), place.end(), std::size_t(0));
+  std::shuffle(place.begin(), place.end(), random);
+  for (std::size_t i = 0; i < place.size(); ++i) mesh.points[place[i]] = ordered.points[i];
+  for (auto& face : mesh.faces)
     for (std::size_t& corner : face) corner = place[corner];
+  if (faces_too) std::shuffle(mesh.faces.begin(), mesh.faces.end(), random);
   return result;
 }
 

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -351,12 +350,9 @@ void scattered_vertices(bool faces_too)
 {
   const std::string where = faces_too ? "scattered vertices and faces" : "scattered vertices";
   const Analytic_mesh ordered = torus(2, 1, 260, 200);
-  std::mt19937 random(6);
-  const std::vector<std::size_t> place = random_permutation(ordered.points.size(), random);
-  Analytic_mesh scattered = renumbered(ordered, place);
-  if (faces_too) std::shuffle(scattered.faces.begin(), scattered.faces.end(), random);
-
-  Mesh mesh = made(ordered), shuffled = made(scattered);
+  const Scattered_mesh in_random_order = scattered(ordered, faces_too);
+  const std::vector<std::size_t>& place = in_random_order.place;
+  Mesh mesh = made(ordered), shuffled = made(in_random_order.mesh);
   const Vertex first = shuffled.add_vertex(Kernel::Point_3(0, 0, 0)),
                second = shuffled.add_vertex(Kernel::Point_3(1, 0, 0));
   const auto ids = internal::vertex_ids(shuffled, CGAL::parameters::default_values());

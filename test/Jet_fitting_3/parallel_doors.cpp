@@ -22,7 +22,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <random>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -53,16 +52,6 @@ Mesh spoiled(const Analytic_mesh& from)
   mesh.add_vertex(Kernel::Point_3(9, 9, 9));
   mesh.point(Vertex(3000)) = Kernel::Point_3(0, 0, std::numeric_limits<double>::infinity());
   return mesh;
-}
-
-// In random order: it is put in order inside, in a way that depends on whether its faces are, too.
-Mesh scattered_mesh(bool faces_too)
-{
-  const Analytic_mesh ordered = torus(2, 1, 260, 200);
-  std::mt19937 random(6);
-  Analytic_mesh scattered = renumbered(ordered, random_permutation(ordered.points.size(), random));
-  if (faces_too) std::shuffle(scattered.faces.begin(), scattered.faces.end(), random);
-  return spoiled(scattered);
 }
 
 template <class Tag, class Neighborhood>
@@ -190,7 +179,8 @@ int main()
   same_for_all_threads(mesh, enough_rings(20), "enough_rings");
   same_for_all_threads(mesh, nearest(20), "nearest");
   same_for_all_threads(mesh, within_radius(0.06), "within_radius");
-  for (const bool faces_too : {false, true}) same_for_all_threads(scattered_mesh(faces_too), k_rings(3), "scattered");
+  for (const bool faces_too : {false, true}) // put in order inside, in a way that depends on it
+    same_for_all_threads(spoiled(scattered(torus(2, 1, 260, 200), faces_too).mesh), k_rings(3), "scattered");
   own_point_map(mesh);
   points_for_all_threads(mesh);
   progress(mesh);

@@ -149,8 +149,7 @@ public:
   template <class ConcurrencyTag>
   void measure()
   {
-    Index origin = 0;
-    while (origin < Base::size() && !Base::is_finite(origin)) ++origin;
+    const Index origin = first_finite();
     m_all_are_finite = true;
     double size = 0;
     Brief_mutex mutex;
@@ -167,6 +166,14 @@ public:
   }
 
   bool all_are_finite() const { return m_all_are_finite; }
+
+  /// The size of the table if none is.
+  Index first_finite() const
+  {
+    Index first = 0;
+    while (first < Base::size() && !Base::is_finite(first)) ++first;
+    return first;
+  }
 
   /// Does not look at the point where all are finite: it may be far away in memory.
   bool is_finite(Index i) const { return m_all_are_finite || Base::is_finite(i); }

@@ -45,8 +45,7 @@ std::vector<Index> spatial_order(const Point_table<Kernel>& points)
     Index point;
   };
   std::vector<Entry> entries(points.size()), sorted(points.size());
-  Index first = 0;
-  while (first < points.size() && !points.is_finite(first)) ++first;
+  const Index first = points.first_finite();
   for (Index i = 0; i < points.size(); ++i) {
     if (!points.is_finite(i)) {
       entries[i] = {0, i};
