@@ -19,4 +19,4 @@ configure_package_config_file(cmake/Jet_fitting_3Config.cmake.in "${config_build
 write_basic_package_version_file("${config_build_dir}/Jet_fitting_3ConfigVersion.cmake"
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES "${config_build_dir}/Jet_fitting_3Config.cmake" "${config_build_dir}/Jet_fitting_3ConfigVersion.cmake"
-  cmake/FindLAPACKE.cmake DESTINATION "${config_dir}")
+  cmake/FindLAPACKE.cmake cmake/Jet_fitting_3_levels.cmake DESTINATION "${config_dir}")

@@ -31,6 +31,7 @@ if(JET_FITTING_3_SANITIZE)
 endif()
 
 include(unpack_cgal_demo)
+include(Jet_fitting_3_levels)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL QUIET)
 set(jet_fitting_3_cgal_version "${CGAL_VERSION}" CACHE INTERNAL "Version of the CGAL that was found")

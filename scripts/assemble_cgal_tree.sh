@@ -1,10 +1,10 @@
 #!/bin/sh
 # Assembles the package as it would stand in CGAL's own tree, where every package has a folder with the same parts:
-#   include/ examples/ test/ benchmark/ doc/ package_info/   ->  <tree>/Jet_fitting_3/...
+#   include/ examples/ demo/ test/ benchmark/ doc/ package_info/   ->  <tree>/Jet_fitting_3/...
 #   cmake/FindLAPACKE.cmake                                  ->  <tree>/Installation/cmake/modules/
 #   CHANGES.md                                               ->  an entry of <tree>/Installation/CHANGES.md
 #   doc/.../Jet_fitting_3.txt, the bibliography at its end   ->  <tree>/Documentation/doc/biblio/, see CONTRIBUTING.md
-# The CMakeLists.txt of examples and tests are written anew, with CGAL's own commands. The tests of this repository that
+# The CMakeLists.txt of examples, demo and tests are written anew, with CGAL's own commands. The tests of this repository that
 # CGAL's testsuite makes itself (of headers, of the text of sources, of installing) or that need arguments, the scripts, and
 # what builds the manual without CGAL stay behind.
 # usage: assemble_cgal_tree.sh <tree>
@@ -21,13 +21,14 @@ mkdir -p "$1"
 tree=$(cd "$1" && pwd)
 package=$tree/Jet_fitting_3
 
-for part in include examples test benchmark doc package_info; do
+for part in include examples demo test benchmark doc package_info; do
   rm -rf "${package:?}/$part"
   mkdir -p "$package"
   cp -R "$root/$part" "$package/$part"
 done
 rm -rf "$package/doc/Jet_fitting_3/CMakeLists.txt" "$package/doc/Jet_fitting_3/stand_alone" \
   "$package/test/Jet_fitting_3/install_consumer" "$package/test/Jet_fitting_3/cgal_programs" \
+  "$package/test/Jet_fitting_3/levels" \
   "$package/test/Jet_fitting_3/fuzz" "$package/test/Jet_fitting_3/mesh_estimation_tool.cpp" "$package/test/Jet_fitting_3"/*.sh \
   "$package/benchmark/Jet_fitting_3/CMakeLists.txt"
 mkdir -p "$tree/Installation/cmake/modules"
@@ -83,6 +84,13 @@ END
 }
 cmake_lists "$package/examples/Jet_fitting_3" Jet_fitting_3_Examples > "$package/CMakeLists.new"
 mv "$package/CMakeLists.new" "$package/examples/Jet_fitting_3/CMakeLists.txt"
+cmake_lists "$package/demo/Jet_fitting_3" Jet_fitting_3_Demo > "$package/CMakeLists.new"
+mv "$package/CMakeLists.new" "$package/demo/Jet_fitting_3/CMakeLists.txt"
+cat >> "$package/demo/Jet_fitting_3/CMakeLists.txt" << END
+if(TARGET Mesh_estimation)
+  target_sources(Mesh_estimation PRIVATE tool/estimate.cpp)
+endif()
+END
 cmake_lists "$package/test/Jet_fitting_3" Jet_fitting_3_Tests > "$package/CMakeLists.new"
 mv "$package/CMakeLists.new" "$package/test/Jet_fitting_3/CMakeLists.txt"
 

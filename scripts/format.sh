@@ -17,7 +17,7 @@ if [ -z "$format" ]; then
   exit 0
 fi
 
-sources=$(find include test examples benchmark -name '*.h' -o -name '*.cpp')
+sources=$(find include test examples demo benchmark -name '*.h' -o -name '*.cpp')
 if [ "${1-}" = --check ]; then
   changes=0
   for source in $sources; do

@@ -26,8 +26,8 @@ configure() {
 address() {
   configure asan
   cmake --build "$build/asan" -j "$jobs" -- -k || say "some programs do not compile"
-  # What a failed allocation leaves behind in CGAL's tree, and the umbilics that CGAL hands out by pointers, are not ours.
-  printf '%s\n' leak:CGAL::Kd_tree leak:CGAL::Umbilic_approximation > "$build/asan/suppressions.txt"
+  # The umbilics that CGAL hands out by pointers are not ours.
+  printf '%s\n' leak:CGAL::Umbilic_approximation > "$build/asan/suppressions.txt"
   LSAN_OPTIONS="suppressions=$build/asan/suppressions.txt:print_suppressions=0" \
     ctest --test-dir "$build/asan" -j "$jobs" -E "$without_sanitizer" --output-on-failure || failed=1
 }
@@ -58,15 +58,16 @@ build_tbb() {
 thread() {
   build_tbb
   configure tsan
-  for name in faults parallel_doors; do
+  for name in faults parallel_doors user_parallelism; do
     cmake --build "$build/tsan" --target "test_$name"
   done
-  LD_LIBRARY_PATH=$tbb ctest --test-dir "$build/tsan" -R '^(faults|parallel_doors)$' --output-on-failure || failed=1
+  LD_LIBRARY_PATH=$tbb ctest --test-dir "$build/tsan" -R '^(faults|parallel_doors|user_parallelism)$' --output-on-failure || failed=1
 
   say "a deliberate race"
-  raced=$build/tsan/race/CGAL/Jet_fitting_3/internal
+  raced=$build/tsan/race/CGAL/Jet_fitting_3/internal/machine
   mkdir -p "$raced"
-  sed 's/std::atomic<std::size_t> next/std::size_t next/' include/CGAL/Jet_fitting_3/internal/parallel.h > "$raced/parallel.h"
+  sed "s/std::atomic<std::size_t> next/std::size_t next/" include/CGAL/Jet_fitting_3/internal/machine/parallel.h \
+    > "$raced/parallel.h"
   g++ -std=c++17 -O1 -g1 -fsanitize=thread -Wno-tsan -DCGAL_EIGEN3_ENABLED -DCGAL_LINKED_WITH_TBB \
     -I"$build/tsan/race" -Iinclude -isystem /usr/include/eigen3 test/Jet_fitting_3/parallel_doors.cpp \
     -o "$build/tsan/race/parallel_doors" -ltbb -lgmp -lmpfr
@@ -83,7 +84,9 @@ valgrind() {
   install_missing valgrind
   configure valgrind
   cmake --build "$build/valgrind" -j "$jobs"
-  ctest --test-dir "$build/valgrind/examples/Jet_fitting_3" -j "$jobs" --output-on-failure || failed=1
+  for folder in examples demo; do
+    ctest --test-dir "$build/valgrind/$folder/Jet_fitting_3" -j "$jobs" --output-on-failure || failed=1
+  done
 }
 
 [ $# -gt 0 ] || set -- address thread valgrind

@@ -1,9 +1,10 @@
 #!/bin/sh
 # Runs the tests on other versions of CGAL and Eigen, other compilers and options, and prints a table.
-# usage: test_matrix.sh [all|spread|subset|<part of the name of rows>]
+# usage: test_matrix.sh [all|spread|subset|processors|<part of the name of rows>]
 # "all", the default, takes hours. "spread" runs every test once with each CGAL: a row has its share of the tests, and all
 # that need libraries which other rows do without. "subset" is what the continuous integration has time for: two rows, a
-# few tests. sid-clang++, say, takes the rows whose names, which are their settings joined by "-", contain this.
+# few tests, and the other processors. "processors" are those alone (scripts/other_processors.sh). sid-clang++, say,
+# takes the rows whose names, which are their settings joined by "-", contain this.
 # CGAL 5.5 is the one of this system; those of Debian's trixie and sid are unpacked into the build folder, once.
 # Exits with 77 if every row had to be left out.
 # shellcheck source=scripts/lib.sh
@@ -108,13 +109,14 @@ take_share() {
   tests='^('
   for test in $(ctest --test-dir "$matrix/$name" -N -E "^($excluded)\$" | sed -n 's/^ *Test *#[0-9]*: //p'); do
     case $test in
-      cgal_programs | lapack_svd | parallel_doors) ;;
+      cgal_programs | lapack_svd | parallel_doors | user_parallelism) ;;
       *) [ $(($(echo "$test" | cksum | cut -d' ' -f 1) % of + 1)) -eq "$place" ] || continue ;;
     esac
     tests="$tests$test|"
     case $test in
       cgal_programs | differential) ;;
       example_*) targets="$targets ${test#example_}" ;;
+      demo_*) targets="$targets ${test#demo_}" ;;
       mesh_estimation_tool) targets="$targets test_$test Mesh_estimation" ;;
       *) targets="$targets test_$test" ;;
     esac
@@ -131,6 +133,20 @@ if [ "$wanted" = subset ]; then
 fi
 failed=0
 done=0
+case $wanted in
+  all | subset | processors)
+    say "other processors"
+    start=$(date +%s)
+    if BUILD_DIR=$build sh "$root/scripts/other_processors.sh" > "$matrix/processors.log" 2>&1; then
+      result="passed: $(($(date +%s) - start)) s"
+      done=1
+    else
+      result="FAILED: $matrix/processors.log"
+      failed=1
+    fi
+    printf '%-8s %-9s %s\n' processors - "$result" | tee -a "$table"
+    ;;
+esac
 while read -r suite compiler standard flags optional assertions programs mark; do
   [ -n "$suite" ] || continue
   name=$suite-$compiler-$standard-$flags-$optional-$assertions

@@ -9,6 +9,7 @@
 # Variables, with their defaults:
 #   CXX=c++  CXXFLAGS="-O3 -DNDEBUG"
 #   RUNS=5                    interleaved runs (quick: 1)
+#   PEERS_DIR=                folder with the sources libigl/, vcglib/ and ponca/, for their time and error; none: left out
 #   FILTER=.                  regular expression for the names of benchmarks
 #   RUN=                      a command to start programs with, such as "taskset -c 0"
 #   CGAL_6=sid                release of Debian whose CGAL is unpacked for surface_peers (scripts/fetch_cgal.sh); none: left out
@@ -20,7 +21,7 @@ set -eu
 mode=${1:-full}
 case $mode in
   full) runs=${RUNS:-5} filter=${FILTER:-.} ;;
-  quick) runs=${RUNS:-1} filter=${FILTER:-'^fit/|armadillo/d|^points'} ;;
+  quick) runs=${RUNS:-1} filter=${FILTER:-'^fit/|armadillo/d|^points|^cloud/torus_100000/'} ;;
   *) echo "usage: side_by_side.sh [quick]" >&2 && exit 2 ;;
 esac
 here=$(cd "$(dirname "$0")" && pwd)
@@ -50,7 +51,7 @@ programs() {
 }
 
 echo "building with $compiler $flags" >&2
-sides='fits_per_second_ours fits_per_second_cgal point_normals_ours point_normals_cgal mesh_throughput mesh_throughput_cgal'
+sides='fits_per_second_ours fits_per_second_cgal point_normals_ours point_normals_cgal mesh_throughput mesh_throughput_cgal point_throughput'
 programs "$work/cgal" "$sides compare_answers"
 data=$(sed -n 's/^CGAL_DATA_DIR:[A-Z]*=//p' "$work/cgal/CMakeCache.txt")
 
@@ -88,10 +89,14 @@ if [ "$mode" = full ]; then
   rm "$work/ours.answers" "$work/cgal.answers"
 fi
 
-# timed <side> <program>: its rows are added to the results.
+# timed <side> <program> [<option>]: its rows are added to the results.
 timed() {
+  side=$1
+  program=$2
+  shift 2
   # shellcheck disable=SC2086
-  ${RUN:-} "$2" "--benchmark_filter=$filter" --benchmark_format=csv "$data" 2>> "$work/log" | sed "s/^/$1,/" >> "$results"
+  ${RUN:-} "$program" "--benchmark_filter=$filter" --benchmark_format=csv "$@" "$data" 2>> "$work/log" |
+    sed "s/^/$side,/" >> "$results"
 }
 
 run=0
@@ -104,9 +109,20 @@ while [ "$run" -lt "$runs" ]; do
     timed ours "$work/cgal/$ours"
     timed cgal "$work/cgal/${program}_cgal"
   done
+  timed ours "$work/cgal/point_throughput"
+  timed cgal "$work/cgal/point_throughput" --normals-of-cgal
   [ -z "$two_threads" ] || timed ours "$two_threads"
   [ -z "$peers" ] || timed ours "$work/cgal-$suite/$peers"
 done
+
+if [ -n "${PEERS_DIR:-}" ] && [ "$mode" = full ]; then
+  echo "libigl, vcglib, Ponca and PCL" >&2
+  programs "$work/peers" "mesh_peers point_peers" "-DPEERS_DIR=$PEERS_DIR"
+  for program in mesh_peers point_peers; do
+    # shellcheck disable=SC2086
+    ${RUN:-} "$work/peers/$program" 2>> "$work/log"
+  done
+fi
 
 # The columns of the counters are named in a header line before each run's rows.
 awk -F, -v runs="$runs" '

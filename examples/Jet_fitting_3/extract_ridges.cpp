@@ -39,8 +39,7 @@ int main(int argc, char* argv[])
   CGAL::Jet_fitting::Options fit_options;
   fit_options.standard_errors = options.significance > 0;
   try {
-    const CGAL::Jet_fitting::Ridge_property_maps<Mesh> maps(mesh, CGAL::Jet_fitting::k_rings(rings),
-                                                            CGAL::parameters::default_values(), fit_options);
+    const CGAL::Jet_fitting::Ridge_property_maps<Mesh> maps(mesh, CGAL::Jet_fitting::k_rings(rings), fit_options);
     auto ridges = CGAL::Jet_fitting::extract_ridges(mesh, maps, options);
     std::sort(ridges.lines.begin(), ridges.lines.end(),
               [](const auto& a, const auto& b) { return a.length > b.length; });

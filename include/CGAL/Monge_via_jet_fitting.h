@@ -13,6 +13,7 @@
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Jet_fitting_3/Monge_via_jet_fitting.h>
 #include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/NT_converter.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -27,12 +28,11 @@ namespace CGAL {
 namespace Jet_fitting {
 
 #if __has_include(<Eigen/SVD>)
-/// Eigen's SVD is replaced by orthogonalization, which has the same answers to rounding; the singular values decide where
-/// the rank is in doubt.
+/// Eigen's SVD is replaced by orthogonalization, which has the same answers to rounding.
 template <>
 struct Solver_of<Eigen_svd>
 {
-  /// The solver that stands for it.
+  /// The solver that is used for it.
   using type = Orthogonal_solver<double>;
 };
 
@@ -46,6 +46,8 @@ using Default_svd = Jacobi_svd<FT>;
 
 } // namespace Jet_fitting
 
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
 /// \ingroup PkgJetFitting3Single
 /// Estimates the differential quantities of a sampled surface at a sample point by polynomial fitting, with CGAL
 /// kernels: the class of section 4.2.2 of the paper. A drop-in replacement for the class of this name in CGAL.
@@ -55,10 +57,10 @@ using Default_svd = Jacobi_svd<FT>;
 /// condition_number(), pca_basis().
 ///
 /// \tparam DataKernel a Cartesian CGAL kernel, that of the input points and of the resulting Monge form
-/// \tparam LocalKernel a Cartesian CGAL kernel with an approximate number type, in which all is computed: float, double,
-///         long double or a multiprecision type
+/// \tparam LocalKernel a Cartesian CGAL kernel with an approximate number type, in which all is computed: float,
+///         double, long double or a multiprecision type
 /// \tparam SvdTraits solves the least squares problem. A user's own traits are always called. With the default, any
-///         method that gives the same answer to rounding may be used; rank deficient systems are solved by an SVD.
+///         method that gives the same answer to rounding may be used, the smallest one if the rank is deficient.
 template <class DataKernel, class LocalKernel = Simple_cartesian<double>,
           class SvdTraits = Jet_fitting::Default_svd<typename LocalKernel::FT>>
 class Monge_via_jet_fitting
@@ -77,6 +79,7 @@ public:
   Cartesian_converter<LocalKernel, DataKernel> L2D_converter; ///< the other way
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace CGAL
 
 #endif // CGAL_MONGE_VIA_JET_FITTING_H

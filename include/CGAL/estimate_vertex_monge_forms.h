@@ -11,24 +11,24 @@
 
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
 #include <CGAL/Jet_fitting_3/Options.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
-#include <CGAL/Jet_fitting_3/internal/Own_gatherer.h>
-#include <CGAL/Jet_fitting_3/internal/estimate_blocks.h>
-#include <CGAL/Jet_fitting_3/internal/parameters.h>
-#include <CGAL/Jet_fitting_3/internal/prefetch.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Map_output.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/estimate_vertices.h>
+#include <CGAL/Jet_fitting_3/neighborhoods/automatic.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/enough_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/k_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/nearest.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/within_radius.h>
+#include <CGAL/Jet_fitting_3/point_weight_map.h>
+#include <CGAL/Jet_fitting_3/prepared/Vertex_estimator.h>
+#include <CGAL/Jet_fitting_3/prepared/internal/ranges.h>
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Named_function_parameters.h>
 
-#include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3All
 /// Estimates the Monge form at every vertex of a mesh, from the vertices in its neighborhood: normal, principal
@@ -42,19 +42,22 @@ namespace CGAL {
 ///         same, bit by bit, for every tag and number of threads.
 /// \param mesh a model of FaceListGraph and HalfedgeListGraph. Faces may have any number of corners; borders, isolated
 ///        vertices and gaps of removed elements do no harm
-/// \param neighborhood Jet_fitting::k_rings(), enough_rings(), nearest(), within_radius(), or a function object of the
-///        user's own (concept Neighborhood)
-/// \param vertex_form_map a writable property map from vertex to Monge_via_jet_fitting<K>::Monge_form, K being the kernel
-///        of the points. Written by one thread at a time
+/// \param neighborhood Jet_fitting::automatic(), k_rings(), enough_rings(), nearest(), within_radius(), or a function
+///        object of the user's own (concept Neighborhood)
+/// \param vertex_form_map a writable property map from vertex to Monge_via_jet_fitting<K>::Monge_form, K being the
+///        kernel of the points. Written by one thread at a time
 /// \param np named parameters:
-///        - `degree_fitting` d, the degree of the jet (2)
-///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d)
+///        - `degree_fitting` d, the degree of the jet (2); the highest that automatic() tries (any)
+///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d; 2 with automatic() and without d)
 ///        - `vertex_point_map` (the mesh's own); another one is read by the calling thread only
 ///        - `vertex_index_map` (the mesh's own, if it has one)
-///        - `vertex_normal_map`, vectors of any length, to orient the forms
+///        - `vertex_normal_map`, vectors of any length, to orient the forms, and with Options::use_normals as data
+///        - `point_weight_map`, from vertices to weights, instead of Fit_options::point_weights: see
+///          parameters::point_weight_map()
 ///        - `edge_is_constrained_map`: neighborhoods do not cross the edges for which it is true. A vertex on such an
-///          edge belongs to both sides, and its own neighborhood is the side with the widest angle. Constrained border
-///          edges have no effect
+///          edge belongs to both sides, and its own neighborhood and normal are those of the side with the widest
+///          angle; estimate_side_monge_forms() estimates one form for each side. Constrained border edges have no
+///          effect
 ///        - `geom_traits`, the kernel (that of the points)
 ///        - `svd_traits`, a model of SvdTraits: always called, if given
 ///        - `callback`, called as callback(p) with the fraction p in (0, 1] that is done, by one thread at a time;
@@ -65,70 +68,31 @@ namespace CGAL {
 ///         Vertices with a coordinate that is not finite are skipped and left out of all neighborhoods
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
 ///
+/// With Parallel_tag, of what the user gives
+///   - the mesh (its own points and ids, what leads from edges and faces to vertices) and `vertex_index_map` are read
+///     by several threads at once, `weight_of_distance` and models of SvdTraits are called by them, and each of them
+///     has a copy of a neighborhood of the user's own
+///   - `vertex_point_map`, `vertex_normal_map`, `point_weight_map`, `edge_is_constrained_map`, `vertex_form_map` and
+///     `callback` are used by one thread at a time. The first four are read before all else; normals and edges maybe at
+///     the same time as each other
+///
+/// All of these may start parallel work themselves. No lock is held while they run.
+///
 /// The time is O(n N N_d^2) for n vertices with N neighbors each and N_d = (d+1)(d+2)/2. Besides the output about
 /// 60 bytes per vertex are needed. The mesh is only read, and may be used by other threads meanwhile.
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighborhood, class VertexFormMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!Jet_fitting::internal::Is_range_of_vertices<FaceGraph, Neighborhood>::value, int> = 0>
 Jet_fitting::Estimation_summary<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
 estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neighborhood, VertexFormMap vertex_form_map,
                             const NamedParameters& np = parameters::default_values(),
                             const Jet_fitting::Options& options = {})
 {
-  using namespace Jet_fitting::internal;
-  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  using Setting = Mesh_setting<FaceGraph, NamedParameters, ConcurrencyTag>;
-  using Kernel = typename Setting::Kernel;
-  using Parameters = Fitting_parameters<Kernel, NamedParameters>;
-  using Fits = std::vector<Fit<Kernel>>;
-
-  constexpr bool is_own = Is_own_neighborhood<Neighborhood, vertex_descriptor>::value;
-  const Parameters given(np);
-  // Weights are given in the order of the mesh.
-  const bool may_renumber = !is_own && options.point_weights.empty();
-  const Setting setting(mesh, np, may_renumber);
-  const typename Parameters::Fitter fit(setting.points(), given.d, given.dprime, options);
-  Normal_table normals;
-  Compact_mesh compact;
-  do_both<ConcurrencyTag>([&] { normals = setting.normals(np); },
-                          [&] {
-                            if constexpr (!is_own) compact = setting.compact(np);
-                          });
-  const auto orient = [&](Index i, Jet_fitting::Monge_form<Kernel>& form) { normals.orient(form, i); };
-
-  std::vector<Jet_fitting::Estimation_status> statuses(setting.size());
-  std::vector<Jet_fitting::Fit_quality> qualities(fit.reports_quality() ? setting.size() : 0);
-  const auto store = [&](std::size_t first, const Fits& fits) {
-    const auto vertex = [&](std::size_t i) { return setting.item(static_cast<Index>(first + i)); };
-    const std::size_t ahead = 16; // so many forms fit into the cache; in the order of the mesh they are there in time
-    for (std::size_t i = 0; i < fits.size(); ++i) {
-      if (setting.is_renumbered() && i + ahead < fits.size()) prefetch_value(vertex_form_map, vertex(i + ahead));
-      put(vertex_form_map, vertex(i), fits[i].form);
-      statuses[first + i] = fits[i].status;
-      if (!fits[i].quality.empty()) qualities[first + i] = fits[i].quality.front();
-    }
+  namespace internal = Jet_fitting::internal;
+  const auto to_map = [&](const auto& tables, const auto& rows) {
+    return internal::Map_output(tables, vertex_form_map, rows);
   };
-
-  Jet_fitting::Estimation_summary<vertex_descriptor> summary;
-  const auto run = [&](const auto& make_gather) {
-    summary.cancelled =
-        !estimate_blocks<ConcurrencyTag, Kernel>(setting.size(), make_gather, fit, orient, store, given.progress);
-  };
-  if constexpr (is_own) {
-    run([&] { return Own_gatherer<Setting, vertex_descriptor, Neighborhood>(setting, neighborhood); });
-  } else {
-    static_assert(std::is_invocable<const Neighborhood&, Mesh_growth<Kernel>&, Index, std::vector<Index>&>::value,
-                  "The neighborhood is none of k_rings, enough_rings, nearest, within_radius, and cannot be called as "
-                  "neighborhood(vertex_descriptor, std::vector<vertex_descriptor>&)");
-    run([&] {
-      return [&neighborhood, growth = Mesh_growth<Kernel>(compact, setting.points(),
-                                                          normals)](Index seed, std::vector<Index>& row) mutable {
-        neighborhood(growth, seed, row);
-      };
-    });
-  }
-  summary.set_reports(std::move(statuses), std::move(qualities), make_range(vertices(mesh)),
-                      [number = setting.shared_number()](const vertex_descriptor& v) { return (*number)(v); });
-  return summary;
+  return internal::estimate_vertices<ConcurrencyTag>(mesh, neighborhood, to_map, np, options);
 }
 
 /// \ingroup PkgJetFitting3All
@@ -141,6 +105,29 @@ auto estimate_vertex_monge_forms(const FaceGraph& mesh, const Neighborhood& neig
                                                      options);
 }
 
+/// \ingroup PkgJetFitting3All
+/// Estimates the Monge form at some vertices of a mesh, with neighbors from all. The results are those of a call for
+/// the whole mesh, bit by bit; the time is that for tables of the mesh, linear in its size, and for the forms of these
+/// vertices. For single vertices, one after the other, take a Vertex_estimator, which keeps the tables.
+///
+/// \param vertices a range of vertices of the mesh. One that is given twice is estimated, and counted, once
+/// \param mesh, neighborhood, vertex_form_map, np, options as for the whole mesh
+/// \return how many of these were estimated, which were not, and why
+/// \throw Jet_fitting::Invalid_input as for the whole mesh, and if one is not a vertex of the mesh, is null, or removed
+template <class ConcurrencyTag = Sequential_tag, class VertexRange, class FaceGraph, class Neighborhood,
+          class VertexFormMap, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<Jet_fitting::internal::Is_range_of_vertices<VertexRange, FaceGraph>::value, int> = 0>
+Jet_fitting::Estimation_summary<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
+estimate_vertex_monge_forms(const VertexRange& vertices, const FaceGraph& mesh, const Neighborhood& neighborhood,
+                            VertexFormMap vertex_form_map, const NamedParameters& np = parameters::default_values(),
+                            const Jet_fitting::Options& options = {})
+{
+  const Jet_fitting::Vertex_estimator<FaceGraph, Neighborhood, NamedParameters> estimator(mesh, neighborhood, np,
+                                                                                          options, ConcurrencyTag());
+  return estimator.template estimate<ConcurrencyTag>(vertices, vertex_form_map);
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace CGAL
 
 #endif // CGAL_ESTIMATE_VERTEX_MONGE_FORMS_H

@@ -64,6 +64,7 @@ void counts_and_degrees(const std::string& door)
   check_refused<Fit>(twenty, minus_one, 1, {text(minus_one)}, door + "d = -1");
   check_refused<Fit>(twenty, minus_one - 1, 1, {text(minus_one - 1)}, door + "d = -2");
   check_refused<Fit>(twenty, std::size_t(1) << 32, 2, {text(std::size_t(1) << 32)}, door + "d = 2^32");
+  check_refused<Fit>(as<Point>(paraboloid(1000)), 35, 2, {"34", "d = 35"}, door + "d = 35");
   check_refused<Fit>(twenty, minus_one, minus_one, {text(minus_one)}, door + "d = d' = -1");
 }
 
@@ -165,6 +166,8 @@ int main()
   const auto points = as<Kernel::Point_3>(paraboloid(20));
   CGAL::Monge_via_jet_fitting<Kernel> fit;
   auto form = fit(points.begin(), points.end(), 2, 1);
+  for (const std::size_t degree : {std::size_t(-1), std::size_t(-2), std::size_t(1) << 32, std::size_t(35)})
+    check_throws<Invalid_input>([&] { form.set_up(degree); }, {"34", text(degree)}, "a form of degree " + text(degree));
   check_throws<std::out_of_range>([&] { form.dump_4ogl(out, 1.); }, {"1"}, "dump_4ogl of a form of degree 1");
   check_equal(out.str(), "", "dump_4ogl of a form of degree 1 writes nothing");
   return result();

@@ -143,6 +143,9 @@ void refused()
   check_throws<Invalid_input>(
       [&] { compare_vertex_neighborhoods(mesh, std::vector<Vertex>{Vertex(99999)}, rings, {2}); }, {"does not belong"},
       "a vertex of no mesh");
+  const std::size_t minus_one = std::size_t(-1);
+  check_throws<Invalid_input>([&] { compare_vertex_neighborhoods(mesh, mesh.vertices(), rings, {minus_one}); },
+                              {text(minus_one)}, "the largest number as degree");
   check_throws<Invalid_input>([&] { compare_vertex_neighborhoods(mesh, mesh.vertices(), rings, {0}); }, {"d = 0"},
                               "degree 0");
   Fit_options options;

@@ -250,9 +250,9 @@ static_assert(Is_svd_traits<Jacobi_svd<float>>::value, "a model of SvdTraits");
 static_assert(!Is_svd_traits<int>::value, "int is no model of SvdTraits");
 static_assert(!Is_svd_traits<Without_solve>::value, "SvdTraits without solve(M, B)");
 static_assert(!Is_svd_traits<Without_matrix>::value, "SvdTraits without a matrix");
-static_assert(internal::Is_own_neighborhood<Whole_mesh, Vertex>::value, "a neighborhood of the user's own");
-static_assert(!internal::Is_own_neighborhood<int, Vertex>::value, "int is no Neighborhood");
-static_assert(!internal::Is_own_neighborhood<decltype(k_rings(2)), Vertex>::value,
+static_assert(internal::Is_user_neighborhood<Whole_mesh, Vertex>::value, "a neighborhood of the user's own");
+static_assert(!internal::Is_user_neighborhood<int, Vertex>::value, "int is no Neighborhood");
+static_assert(!internal::Is_user_neighborhood<decltype(k_rings(2)), Vertex>::value,
               "k_rings has an interface of its own");
 
 int main()

@@ -39,9 +39,9 @@ build examples/Jet_fitting_3 Single_estimation
 grep -q '^k1 : 0.8' "$scratch/Single_estimation.txt" || fail "Single_estimation does not find k1 = 0.8"
 build test/Jet_fitting_3 bad_input
 
-find "$package/examples/Jet_fitting_3" "$package/test/Jet_fitting_3" -maxdepth 1 -name '*.cpp' | while read -r source; do
+find "$package/examples/Jet_fitting_3" "$package/demo/Jet_fitting_3" "$package/test/Jet_fitting_3" -maxdepth 1 -name '*.cpp' | while read -r source; do
   program=$(basename "$source")
-  cat "$package"/examples/*/CMakeLists.txt "$package"/test/*/CMakeLists.txt | grep -qF "\"$program\"" || echo "$program"
+  cat "$package"/examples/*/CMakeLists.txt "$package"/demo/*/CMakeLists.txt "$package"/test/*/CMakeLists.txt | grep -qF "\"$program\"" || echo "$program"
 done > "$scratch/forgotten"
 [ ! -s "$scratch/forgotten" ] || fail "no CMakeLists.txt of the tree has $(cat "$scratch/forgotten")"
 

@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/extract_ridges.h>
 #include <CGAL/Jet_fitting_3/extract_umbilics.h>
 #include <CGAL/Jet_fitting_3/ridges.h>
+#include <CGAL/Jet_fitting_3/ridges/smooth_ridge_line.h>
 #include <CGAL/Ridges.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -409,7 +410,11 @@ void bad_values()
   check_throws<Invalid_input>([&] { extract_ridges(mesh, maps, options); }, {"standard errors"}, "no standard errors");
   options.significance = std::numeric_limits<double>::quiet_NaN();
   check_throws<Invalid_input>([&] { extract_ridges(mesh, maps, options); }, {"nan"}, "significance NaN");
-  check_throws<Invalid_input>([&] { extract_umbilics(mesh, maps, -1.); }, {"-1"}, "a negative distance");
+  check_throws<Invalid_input>(
+      [&] {
+        extract_umbilics(mesh, maps, Umbilic_options{-1, true, 0});
+      },
+      {"-1"}, "a negative distance");
   check_equal(extract_ridges(Mesh(), Maps(Mesh())).lines.size(), 0u, "an empty mesh");
 }
 
@@ -478,6 +483,7 @@ void noise()
   with_errors.standard_errors = true;
   const auto np = CGAL::parameters::degree_fitting(4).degree_monge(4);
   Ridge_options plain, significant;
+  plain.only_certain = false;
   significant.significance = 2;
   for (double sigma : {.002, .02}) {
     const Mesh ball = noisy(sphere(1, 30), sigma, 1);
@@ -502,7 +508,7 @@ void noise()
 
   std::size_t single = 0;
   double sum = 0; // umbilics of a noisy ellipsoid come in swarms: within half a unit each of four lemons
-  for (const auto& u : extract_umbilics(mesh, maps, .3)) {
+  for (const auto& u : extract_umbilics(mesh, maps, Umbilic_options{.3, true, 0})) {
     ++single;
     sum += u.index;
   }
@@ -510,8 +516,172 @@ void noise()
   check_equal(sum, 2., "the sum of their indices");
 }
 
+// Around the z axis, from radius r to radius s, open at both ends.
+Analytic_mesh tube(double r, double s, std::size_t m, std::size_t n)
+{
+  Analytic_mesh mesh;
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double turn = 2 * std::acos(-1.) * double(i) / double(m), z = double(j) / double(n - 1);
+      const double radius = r + (s - r) * z;
+      mesh.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 3 * z);
+    }
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j + 1 < n; ++j) {
+      const std::size_t p = i * n + j, q = (i + 1) % m * n + j;
+      mesh.faces.push_back({p, q, q + 1});
+      mesh.faces.push_back({p, q + 1, p + 1});
+    }
+  return mesh;
+}
+
+// A mesh of the plane's vertices, moved to z = h(x, y).
+Analytic_mesh lifted(Analytic_mesh mesh, const std::function<double(double, double)>& h)
+{
+  for (Point& p : mesh.points) p = Point(p.x, p.y, h(p.x, p.y));
+  return mesh;
+}
+
+template <class Mesh>
+void check_none(const Analytic_mesh& analytic, const std::string& what, double coordinate_rounding = 0,
+                std::size_t lines = 0)
+{
+  Mesh mesh;
+  build(analytic, mesh);
+  Ridge_options options;
+  options.coordinate_rounding = coordinate_rounding;
+  for (int d : {3, 4, 5}) {
+    const Ridge_property_maps<Mesh> maps(mesh, CGAL::parameters::degree_fitting(d));
+    options.order = d == 3 ? 3 : 4;
+    check_equal(extract_ridges(mesh, maps, options).lines.size(), lines, what + ": lines, degree " + text(d));
+    Umbilic_options certain;
+    certain.coordinate_rounding = coordinate_rounding;
+    check_equal(extract_umbilics(mesh, maps, certain).size(), 0u, what + ": umbilics, degree " + text(d));
+  }
+}
+
+// Where b0 and b3 are zero, no sign of what is estimated for them counts.
+void vanishing()
+{
+  const auto grid = [](std::size_t n) {
+    return graph("grid", n, [](double, double) { return std::array<double, 6>{}; });
+  };
+  const auto parabola = [](double x, double) { return (x - .5) * (x - .5) / 2; };
+  check_none<Mesh>(sphere(1, 20), "sphere");
+  check_none<Mesh>(sphere(1, 40), "finer sphere");
+  check_none<Mesh>(tube(1, 1, 60, 30), "cylinder");
+  check_none<Mesh>(tube(1, .5, 60, 30), "cone");
+  check_none<Mesh>(torus(2, .7, 60, 30), "torus");
+  check_none<Mesh>(torus(3, 1, 100, 50), "another torus");
+  check_none<Mesh>(jittered_square(30), "plane");
+  check_none<Mesh>(lifted(jittered_square(30), [](double x, double y) { return .4 * x + .3 * y; }), "tilted plane");
+  check_none<Mesh>(lifted(grid(40), parabola), "parabolic cylinder", 0, 1);
+  check_none<Mesh>(lifted(jittered_square(40), parabola), "parabolic cylinder, irregular", 0, 1);
+
+  // rounded more coarsely: far from the origin, in float, in a file
+  for (const auto& [surface, name] :
+       {std::make_pair(sphere(1, 20), "sphere"), std::make_pair(tube(1, 1, 60, 30), "tube")}) {
+    Analytic_mesh far = surface, printed = surface;
+    for (Point& p : far.points) p = p + Point(1e6, 2e6, -1e6);
+    for (Point& p : printed.points)
+      for (double* x : {&p.x, &p.y, &p.z}) *x = std::round(*x * 1e6) / 1e6;
+    check_none<Mesh>(far, name + std::string(" far from the origin"));
+    check_none<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(surface, name + std::string(" in float"));
+    check_none<Mesh>(printed, name + std::string(" of six digits"), 5e-7);
+  }
+
+  const Mesh mesh = mesh_of(sphere(1, 20)); // as they were drawn
+  const Maps maps(mesh);
+  Ridge_options all;
+  all.only_certain = false;
+  Umbilic_options all_umbilics;
+  all_umbilics.only_certain = false;
+  check_ge(extract_ridges(mesh, maps, all).lines.size(), 100u, "lines that are drawn at random on a sphere");
+  check_ge(extract_umbilics(mesh, maps, all_umbilics).size(), 100u, "umbilics there");
+  all.coordinate_rounding = all_umbilics.coordinate_rounding = -1;
+  check_throws<Invalid_input>([&] { extract_ridges(mesh, maps, all); }, {"-1"}, "a negative rounding");
+  check_throws<Invalid_input>([&] { extract_umbilics(mesh, maps, all_umbilics); }, {"-1"},
+                              "a negative rounding, umbilics");
+}
+
+// Where they are not zero, nothing is lost.
+void kept()
+{
+  const auto perturbed = [](double size) {
+    Analytic_mesh mesh = sphere(1, 40);
+    for (Point& p : mesh.points) p = (1 + size * (p.x * p.y * p.z + .3 * p.x * p.x - .2 * p.y * p.y * p.y * p.x)) * p;
+    return mesh;
+  };
+  for (const auto& [surface, name] :
+       {std::make_pair(ellipsoid(axis_x, axis_y, axis_z, 20), "ellipsoid"),
+        std::make_pair(perturbed(.01), "sphere, 1 % perturbed"),
+        std::make_pair(perturbed(.05), "sphere, 5 % perturbed"), std::make_pair(bezier(65), "Bezier surface")}) {
+    const Mesh mesh = mesh_of(surface);
+    const Maps maps(mesh);
+    Ridge_options all;
+    all.only_certain = false;
+    const double length = extract_ridges(mesh, maps, all).length();
+    check_ge(extract_ridges(mesh, maps).length(), .995 * length, name + std::string(": length that is certain"));
+    check_equal(extract_umbilics(mesh, maps).size(), extract_umbilics(mesh, maps, Umbilic_options{0, false, 0}).size(),
+                name + std::string(": umbilics"));
+  }
+}
+
+// The mean angle between the pieces of a line.
+double mean_turn(const Ridge_line<Kernel>& line)
+{
+  double sum = 0, pieces = 0;
+  for (std::size_t i = 2; i < line.points.size(); ++i) {
+    const Kernel::Vector_3 u = line.points[i - 1].point - line.points[i - 2].point,
+                           v = line.points[i].point - line.points[i - 1].point;
+    const double cross = std::sqrt(CGAL::cross_product(u, v).squared_length());
+    sum += std::atan2(cross, u * v);
+    pieces += 1;
+  }
+  return sum / pieces;
+}
+
+// On a noisy ellipsoid the zigzag around the symmetry planes goes, and the lines stay there; an arc stays an arc.
+void smoothing()
+{
+  for (unsigned seed : {3u, 4u}) {
+    const Mesh mesh = noisy(ellipsoid(axis_x, axis_y, axis_z, 20), .002, seed);
+    const double reach = 3 * mean_edge_length(mesh);
+    const auto ridges = extract_ridges(mesh, Maps(mesh, k_rings(5)));
+    Lines smooth;
+    const auto offset = [](const Point_3& p) { return std::min({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}); };
+    double before = 0, after = 0, turns_before = 0, turns_after = 0;
+    for (const auto& line : ridges.lines) {
+      smooth.push_back(smooth_ridge_line(line, reach));
+      for (const auto& p : line.points) before += offset(p.point) * offset(p.point);
+      for (const auto& p : smooth.back().points) after += offset(p.point) * offset(p.point);
+      if (line.length < 1) continue;
+      turns_before += mean_turn(line);
+      turns_after += mean_turn(smooth.back());
+    }
+    check_le(turns_after, .5 * turns_before, "turns of smoothed lines, those of the ellipses included");
+    check_consistent(smooth, ridges.model_size);
+    check_le(after, before, "squared distance from the symmetry planes");
+    check_throws<Invalid_input>([&] { smooth_ridge_line(ridges.lines[0], 0.); }, {"reach", "0"}, "no reach");
+  }
+
+  Ridge_line<Kernel> arc;
+  for (int i = 0; i < 60; ++i) {
+    const double t = .05 * i;
+    arc.points.push_back({Point_3(std::cos(t), std::sin(t), 0), Kernel::Vector_3(std::cos(t), std::sin(t), 0), 1., 1.});
+  }
+  const auto smooth = smooth_ridge_line(arc, .3);
+  for (const auto& p : smooth.points) // a parabola of reach r leaves (r / R)^4 / 24 at most, some of it
+    check_near(distance(p.point, Point_3(0, 0, 0)), 1., .3 * .3 * .3 * .3 / 24 + 1e-12, "an arc is an arc");
+  arc.points.resize(3);
+  check_equal(smooth_ridge_line(arc, .3).points[1].point.x(), arc.points[1].point.x(), "three points stay");
+}
+
 int main()
 {
+  smoothing();
+  vanishing();
+  kept();
   ellipsoid_ridges();
   ellipsoid_umbilics();
   types_of_umbilics();

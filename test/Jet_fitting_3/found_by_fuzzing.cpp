@@ -127,8 +127,7 @@ void nan_is_not_trusted()
   }
   Abstaining_solver<double> solver;
   const auto pca = [](const Samples<double>& s) { return fitting_basis(s); };
-  check_true(!estimate(std::move(samples), 2, 2, pca, solver, {}).fit.solution.trusted,
-             "a NaN among the samples is in doubt");
+  check_true(!estimate(samples, 2, 2, pca, solver, {}).fit.solution.trusted, "a NaN among the samples is in doubt");
 }
 
 int main()

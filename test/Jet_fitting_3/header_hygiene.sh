@@ -27,7 +27,8 @@ fail() {
 needs() {
   case $1 in
     CGAL/Lapack*) echo lapacke.h ;;
-    CGAL/*/internal/*|CGAL/*/neighborhoods/*|CGAL/*/ridges.h|CGAL/*/extract_*.h) echo CGAL/config.h ;;
+    CGAL/*/internal/*|CGAL/*/neighborhoods/*|CGAL/*/ridges/*|CGAL/*/ridges.h|CGAL/*/extract_*.h) echo CGAL/config.h ;;
+    CGAL/*/prepared/*|CGAL/*/point_weight_map.h) echo CGAL/config.h ;;
     CGAL/Jet_fitting_3/*) ;;
     *) echo CGAL/config.h ;;
   esac
@@ -64,6 +65,17 @@ if "$compiler" -std=c++17 -I"$root/include" -M -MF "$scratch/door_b.d" "$scratch
 else
   fail "$door does not compile alone"
 fi
+
+# NaN could not be told from numbers: refused, with the reason, through each door.
+for header in CGAL/Monge_via_jet_fitting.h CGAL/estimate_vertex_monge_forms.h CGAL/estimate_point_monge_forms.h "$door"; do
+  if [ "$header" != "$door" ] && ! exists CGAL/config.h "$@"; then continue; fi
+  for flag in -ffast-math -ffinite-math-only; do
+    echo "#include <$header>" > "$scratch/fast_math.cpp"
+    "$compiler" -std=c++17 -fsyntax-only "$flag" -I. "$@" "$scratch/fast_math.cpp" > "$scratch/fast_math.log" 2>&1 &&
+      fail "$header compiles with $flag"
+    grep -q 'error.*compile without -ffast-math' "$scratch/fast_math.log" || fail "$header: the reason against $flag is not told"
+  done
+done
 
 # CGAL's headers name their package in the $URL$ line. As in CGAL, a package depends on all packages that a header of
 # its own reaches; the list in package_info is that of CGAL 5.5.

@@ -43,6 +43,12 @@ mkdir -p "$scratch"
 "$cmake" --install "$build" --prefix "$scratch/prefix" > "$scratch/install.log" || fail "cmake --install"
 grep -rlF -e "$build/" -e "$(dirname "$here")" "$scratch/prefix" && fail "these installed files name folders of the build"
 
+if [ -e "$build/demo/Jet_fitting_3/Mesh_estimation" ]; then
+  "$scratch/prefix/bin/Mesh_estimation" --help > "$scratch/help.txt" || fail "the installed program exits with $?"
+  grep -qs '^.TH Mesh_estimation 1$' "$scratch"/prefix/*/man1/Mesh_estimation.1 "$scratch"/prefix/*/man/man1/Mesh_estimation.1 ||
+    fail "the manual page of the program is not installed"
+fi
+
 consumer configured_cgal -DCGAL_DIR="$cgal_dir"
 took_from configured_cgal "$cgal_include"
 

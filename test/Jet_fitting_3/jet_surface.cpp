@@ -125,6 +125,8 @@ void at_the_origin()
   check_true(surface.point() == samples[0], "p");
   check_throws<Invalid_input>([&] { surface.monge_form(0, 0, 6); }, {"6", "5"}, "d' above the degree");
   check_throws<Invalid_input>([&] { surface.monge_form(0, 0, 0); }, {"0"}, "d' = 0");
+  const std::size_t minus_one = std::size_t(-1);
+  check_throws<Invalid_input>([&] { surface.monge_form(0, 0, minus_one); }, {text(minus_one)}, "d' = -1");
 }
 
 // The surface of a Monge form is its polynomial.
@@ -245,6 +247,7 @@ void rays()
   check_near(first(Point_3(-5, 0, 0), Vector_3(1, 0, 0)), -1., 1e-13, "along x, the first of three");
   check_near(first(Point_3(-.9, 0, 0), Vector_3(1, 0, 0)), 0., 1e-13, "the second");
   check_near(first(Point_3(5, 0, 0), Vector_3(-1e-200, 0, 0)), 1., 1e-13, "from the other side, a short direction");
+  check_near(first(Point_3(5, 0, 0), Vector_3(-5e-324, 0, 0)), 1., 1e-13, "the shortest direction");
   check_near(first(Point_3(.5, 0, 9), Vector_3(0, 0, -1e200)), .5, 1e-13, "from above, a long direction");
   check_near(first(Point_3(.5, .1, 9), Vector_3(1e-9, 0, -1)), .5 + 1e-9 * 9.375, 1e-13, "all but from above");
   check_true(!cubic.intersection(Point_3(2, 0, 9), Vector_3(0, 0, -1)), "beside the disc");

@@ -7,15 +7,13 @@
 // The mesh door: truth on analytic meshes, orientation, every reason for a skipped vertex, named parameters, options,
 // the user's own neighborhood, progress and cancelling, exact and float meshes.
 
-#include "analytic_meshes.h"
 #include "check.h"
 #include "counting_svd.h"
+#include "double_mesh.h"
 #include "mesh_models.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Jet_fitting_3/quantities.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
 #include <algorithm>
@@ -30,18 +28,7 @@
 using namespace test;
 using namespace CGAL::Jet_fitting;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
 using Form_map = Mesh::Property_map<Vertex, Form>;
-
-Mesh made(const Analytic_mesh& from)
-{
-  Mesh mesh;
-  build(from, mesh);
-  return mesh;
-}
 
 Form_map forms_of(Mesh& mesh) { return mesh.add_property_map<Vertex, Form>("v:form").first; }
 
@@ -51,7 +38,7 @@ Point as_point(const Kernel::Vector_3& v) { return Point(v.x(), v.y(), v.z()); }
 // Theorem 2.1, in the largest distance h to a neighbor, where the lengths of the surface are of order one.
 void check_truth(const Analytic_mesh& surface, int k, std::size_t d)
 {
-  Mesh mesh = made(surface);
+  Mesh mesh = mesh_of(surface);
   const Form_map forms = forms_of(mesh);
   const auto summary =
       CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
@@ -81,7 +68,7 @@ struct Median_errors
 Median_errors bezier_errors(std::size_t n, int k, std::size_t d)
 {
   const Analytic_mesh surface = bezier(n);
-  Mesh mesh = made(surface);
+  Mesh mesh = mesh_of(surface);
   const Form_map forms = forms_of(mesh);
   const auto summary =
       CGAL::estimate_vertex_monge_forms(mesh, k_rings(k), forms, CGAL::parameters::degree_fitting(d).degree_monge(2));
@@ -117,7 +104,7 @@ void convergence()
 
 void orientation()
 {
-  Mesh mesh = made(sphere(2, 24));
+  Mesh mesh = mesh_of(sphere(2, 24));
   const Form_map forms = forms_of(mesh);
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms);
   for (Vertex v : mesh.vertices())
@@ -149,7 +136,7 @@ void quantities()
   check_equal(mean_curvature(form(3, -4)), -0.5, "mean curvature");
   check_equal(gaussian_curvature(form(3, -4)), -12., "Gaussian curvature");
 
-  Mesh mesh = made(sphere(1, 8));
+  Mesh mesh = mesh_of(sphere(1, 8));
   mesh.add_vertex(Kernel::Point_3(5, 5, 5));
   const Form_map forms = forms_of(mesh);
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms);
@@ -166,7 +153,7 @@ void quantities()
 // A mesh with every kind of bad vertex. A torus is the sound part.
 struct Bad_mesh
 {
-  Mesh mesh = made(torus(2, 1, 30, 20));
+  Mesh mesh = mesh_of(torus(2, 1, 30, 20));
   Vertex isolated, infinite, lonely, collinear, on_conic;
 
   Bad_mesh()
@@ -244,7 +231,7 @@ void reasons()
 
 void flags()
 {
-  Mesh square = made(bezier(30));
+  Mesh square = mesh_of(bezier(30));
   const auto border = CGAL::estimate_vertex_monge_forms(square, k_rings(2), forms_of(square));
   for (Vertex v : square.vertices()) {
     const double x = square.point(v).x(), y = square.point(v).y();
@@ -252,14 +239,14 @@ void flags()
     if (from_border == 0) check_true(border.status(v).has(Status_flag::one_sided), "one-sided on the border");
     if (from_border > 2. / 29) check_true(!border.status(v).has(Status_flag::one_sided), "not one-sided inside");
   }
-  Mesh round = made(sphere(1, 10));
+  Mesh round = mesh_of(sphere(1, 10));
   check_equal(CGAL::estimate_vertex_monge_forms(round, k_rings(2), forms_of(round)).count(Status_flag::near_umbilic),
               round.number_of_vertices(), "all of a sphere is umbilic");
-  Mesh ring = made(torus(2, 1, 60, 40));
+  Mesh ring = mesh_of(torus(2, 1, 60, 40));
   const auto summary = CGAL::estimate_vertex_monge_forms(ring, k_rings(3), forms_of(ring));
   check_equal(summary.count(Status_flag::near_umbilic), std::size_t(0), "nothing of a torus is umbilic");
   check_equal(summary.count(Status_flag::pca_ambiguous), std::size_t(0), "a torus is flat enough for the PCA");
-  Mesh edges = made(box(Point(1, 1, 1), 5, 5));
+  Mesh edges = mesh_of(box(Point(1, 1, 1), 5, 5));
   const auto corners = CGAL::estimate_vertex_monge_forms(edges, k_rings(2), forms_of(edges));
   check_true(corners.status(Vertex(0)).has(Status_flag::pca_ambiguous), "the corner of a cube has no plane");
 }
@@ -267,7 +254,7 @@ void flags()
 // With its edges constrained, a cube is six planes.
 void sharp_cube()
 {
-  Mesh mesh = made(box(Point(1, 1, 1), 9, 9));
+  Mesh mesh = mesh_of(box(Point(1, 1, 1), 9, 9));
   auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
   for (Mesh::Edge_index e : mesh.edges()) {
     int shared = 0;
@@ -295,7 +282,7 @@ void sharp_cube()
 // Each side of a slab that is thinner than the ball is wide, alone.
 void slab()
 {
-  Mesh mesh = made(box(Point(1, 1, 0.01), 21, 2));
+  Mesh mesh = mesh_of(box(Point(1, 1, 0.01), 21, 2));
   const Form_map forms = forms_of(mesh);
   const auto summary = CGAL::estimate_vertex_monge_forms(mesh, within_radius(0.16), forms);
   check_equal(summary.estimated, std::size_t(mesh.number_of_vertices()), "every vertex of the slab is estimated");
@@ -308,7 +295,7 @@ void slab()
 void own_points_and_ids()
 {
   const Analytic_mesh surface = torus(2, 1, 30, 20);
-  Mesh mesh = made(surface), elsewhere = made(surface);
+  Mesh mesh = mesh_of(surface), elsewhere = mesh_of(surface);
   auto places = elsewhere.add_property_map<Vertex, Kernel::Point_3>("v:place").first;
   auto numbers = elsewhere.add_property_map<Vertex, std::size_t>("v:number").first;
   for (Vertex v : elsewhere.vertices()) {
@@ -352,7 +339,7 @@ void scattered_vertices(bool faces_too)
   const Analytic_mesh ordered = torus(2, 1, 260, 200);
   const Scattered_mesh in_random_order = scattered(ordered, faces_too);
   const std::vector<std::size_t>& place = in_random_order.place;
-  Mesh mesh = made(ordered), shuffled = made(in_random_order.mesh);
+  Mesh mesh = mesh_of(ordered), shuffled = mesh_of(in_random_order.mesh);
   const Vertex first = shuffled.add_vertex(Kernel::Point_3(0, 0, 0)),
                second = shuffled.add_vertex(Kernel::Point_3(1, 0, 0));
   const auto ids = internal::vertex_ids(shuffled, CGAL::parameters::default_values());
@@ -402,7 +389,7 @@ struct Own_neighborhood
 
 void own_neighborhoods()
 {
-  Mesh mesh = made(torus(2, 1, 30, 20));
+  Mesh mesh = mesh_of(torus(2, 1, 30, 20));
   const Form_map forms = forms_of(mesh);
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms);
   const std::vector<Form> expected(forms.begin(), forms.end());
@@ -423,7 +410,7 @@ void own_neighborhoods()
 
 void progress()
 {
-  Mesh mesh = made(bezier(100));
+  Mesh mesh = mesh_of(bezier(100));
   const Form_map forms = forms_of(mesh);
   std::vector<double> told;
   const auto run = [&](std::size_t stop_after) {
@@ -460,9 +447,9 @@ void progress()
 
 void bad_arguments()
 {
-  Mesh mesh = made(sphere(1, 5));
+  Mesh mesh = mesh_of(sphere(1, 5));
   const Form_map forms = forms_of(mesh);
-  const auto with = [&](int d, int dprime) {
+  const auto with = [&](auto d, int dprime) {
     return [&mesh, &forms, d, dprime] {
       CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), forms,
                                         CGAL::parameters::degree_fitting(d).degree_monge(dprime));
@@ -471,6 +458,8 @@ void bad_arguments()
   check_throws<Invalid_input>(with(0, 1), {"degree_fitting", "0"}, "degree 0");
   check_throws<Invalid_input>(with(-1, 1), {"degree_fitting", "-1"}, "a negative degree");
   check_throws<Invalid_input>(with(2, 0), {"degree_monge", "0"}, "a form of degree 0");
+  check_throws<Invalid_input>(with(35, 2), {"34", "35"}, "a degree beyond the highest");
+  check_throws<Invalid_input>(with(std::size_t(-1), 2), {text(std::size_t(-1))}, "the largest number as degree");
   check_throws<Invalid_input>(with(2, 3), {"2", "3"}, "a form of a higher degree than the jet");
   Mesh empty;
   check_equal(CGAL::estimate_vertex_monge_forms(empty, k_rings(2), forms_of(empty)).estimated, std::size_t(0),
@@ -484,14 +473,14 @@ void exact_mesh()
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   using Exact_mesh = CGAL::Surface_mesh<Exact::Point_3>;
   const Analytic_mesh surface = torus(2, 1, 12, 8);
-  Mesh near = made(surface);
+  Mesh near = mesh_of(surface);
   Exact_mesh far;
   build(surface, far);
   const Exact::FT offset = Exact::FT(1 << 30) * Exact::FT(1 << 30) + Exact::FT(1) / Exact::FT(3);
   for (auto v : far.vertices()) far.point(v) = far.point(v) + Exact::Vector_3(offset, -offset, offset);
 
   const Form_map near_forms = forms_of(near);
-  Forms<Exact_mesh> far_forms;
+  Forms_by_vertex<Exact_mesh> far_forms;
   CGAL::estimate_vertex_monge_forms(near, k_rings(2), near_forms);
   const auto summary = CGAL::estimate_vertex_monge_forms(far, k_rings(2), boost::make_assoc_property_map(far_forms));
   check_equal(summary.estimated, surface.points.size(), "exact mesh: all are estimated");
@@ -509,7 +498,7 @@ void float_mesh()
   Float_mesh mesh;
   const Analytic_mesh surface = torus(2, 1, 60, 40);
   build(surface, mesh);
-  Forms<Float_mesh> forms;
+  Forms_by_vertex<Float_mesh> forms;
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(2), boost::make_assoc_property_map(forms));
   for (auto v : mesh.vertices())
     check_near(double(forms[v].principal_curvatures(1)), surface.truth(surface.points[v]).k2, 0.06, "float mesh: k2");

@@ -10,6 +10,8 @@
 
 #include "check.h"
 
+#include "../../demo/Jet_fitting_3/tool/Progress.h"
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -17,15 +19,17 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <sstream>
 #include <string>
-#include <vector>
+#include <thread>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -64,7 +68,8 @@ std::size_t number_of_files()
 // A torus around the z axis, radii 2 and 1, oriented outwards.
 constexpr int around = 60, across = 40;
 
-std::string torus()
+// Stretched along x, it has ridges; round, it has none.
+std::string torus(double stretch = 1)
 {
   const double pi = std::acos(-1.);
   std::ostringstream out;
@@ -73,7 +78,7 @@ std::string torus()
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
       const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = 2 + std::cos(v);
-      out << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << std::sin(v) << '\n';
+      out << stretch * r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << std::sin(v) << '\n';
     }
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
@@ -86,12 +91,35 @@ std::string torus()
 
 void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
+Mesh read_ply(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  Mesh mesh;
+  std::string comments;
+  test::check_true(CGAL::IO::read_PLY(in, mesh, comments), "CGAL reads " + file);
+  return mesh;
+}
+
 template <class T>
 Mesh::Property_map<Vertex, T> property(Mesh& mesh, const std::string& name)
 {
   const auto map = mesh.add_property_map<Vertex, T>("v:" + name);
   test::check_true(!map.second, "the PLY file has " + name);
   return map.first;
+}
+
+// The attributes by which VTK's programs color, shade and explain.
+void check_vtk_reads_it_right()
+{
+  const std::string vtp = contents("torus.vtp");
+  test::check_true(vtp.find("<PointData Scalars=\"H\" Normals=\"n\">") != std::string::npos,
+                   "VTP: what is colored, and normals");
+  test::check_true(vtp.find("<Array type=\"String\" Name=\"description\"") != std::string::npos, "VTP: a description");
+  const std::string ply = contents("torus.ply");
+  for (const char* words :
+       {"comment jets of degree 4 from 3 rings", "comment a curvature is negative where",
+        "comment colors and quality: mean curvature H [1/length]", "comment status is a sum of 1 estimated"})
+    test::check_true(ply.find(words) != std::string::npos, std::string("PLY: ") + words);
 }
 
 // At every vertex of the torus: the quantities in the PLY file against the truth, and against each other.
@@ -101,10 +129,7 @@ void check_round_trip()
   test::check_equal(made.exit_code, 0, "exit code for the torus: " + made.err);
   test::check_equal(made.err, std::string(), "nothing on stderr where it is no terminal");
 
-  std::ifstream in("torus.ply", std::ios::binary);
-  Mesh mesh;
-  std::string comments;
-  test::check_true(CGAL::IO::read_PLY(in, mesh, comments), "CGAL reads the PLY file");
+  Mesh mesh = read_ply("torus.ply");
   test::check_equal(mesh.number_of_vertices(), std::size_t(around * across), "vertices of the PLY file");
   test::check_equal(mesh.number_of_faces(), std::size_t(2 * around * across), "faces of the PLY file");
 
@@ -115,12 +140,13 @@ void check_round_trip()
   const auto k1 = map("k1"), k2 = map("k2"), h = map("H"), k = map("K"), condition = map("condition_number");
   const auto d1x = map("d1x"), d1y = map("d1y"), d1z = map("d1z"), d2x = map("d2x"), d2y = map("d2y"), d2z = map("d2z");
   const auto normal = property<Kernel::Vector_3>(mesh, "normal");
-  const auto status = property<std::uint16_t>(mesh, "status");
+  const auto quality = map("quality");
+  const auto status = property<int>(mesh, "status");
   property<CGAL::IO::Color>(mesh, "color");
   if (test::failures() > 0) return;
 
   double normal_error = 0, k_error = 0, product_error = 0, frame_error = 0, least_condition = 1e300;
-  bool is_estimated = true;
+  bool is_estimated = true, is_colored = true;
   for (Vertex v : mesh.vertices()) {
     const Point& p = mesh.point(v);
     const double distance = std::hypot(p.x(), p.y()), cosine = distance - 2;
@@ -132,6 +158,7 @@ void check_round_trip()
     product_error = std::max({product_error, std::abs(double(h[v]) - (double(k1[v]) + k2[v]) / 2),
                               std::abs(double(k[v]) - double(k1[v]) * k2[v])});
     frame_error = std::max(frame_error, std::abs(double(d1x[v]) * d2x[v] + d1y[v] * d2y[v] + d1z[v] * d2z[v]));
+    is_colored = is_colored && quality[v] == h[v];
     least_condition = std::min(least_condition, double(condition[v]));
     is_estimated = is_estimated && (status[v] & 1) != 0;
   }
@@ -141,6 +168,8 @@ void check_round_trip()
   test::check_le(frame_error, 1e-6, "d1 and d2 are orthogonal");
   test::check_ge(least_condition, 1., "condition numbers");
   test::check_true(is_estimated, "every status says estimated");
+  test::check_true(is_colored, "the colored quantity once more as quality");
+  check_vtk_reads_it_right();
 
   std::ifstream csv("torus.csv");
   std::string line;
@@ -158,6 +187,11 @@ void check_round_trip()
   test::check_true(contents("directions.ply").find("element edge 2400") != std::string::npos,
                    "a segment for each vertex");
 
+  test::check_equal(run("torus.off -q --color curvedness --picture legend.pov").exit_code, 0, "a scene");
+  const std::string scene = contents("legend.pov");
+  test::check_true(scene.find("\"[1/length]\"") != std::string::npos && scene.find("\"0\"") != std::string::npos,
+                   "a legend with unit, and ticks from 0");
+
   const Run read_again = run("torus.vtp -o torus_again.ply -a 3 -d 4 -q"); // by VTK, where the program has it
   if (read_again.exit_code == 0)
     test::check_true(contents("torus_again.ply") == contents("torus.ply"), "the same from the VTP file");
@@ -166,28 +200,40 @@ void check_round_trip()
 
 void check_old_options()
 {
-  test::check_equal(run("-f torus.off -d2 -m2 -a2 -v 1").exit_code, 0, "CGAL's options");
+  test::check_equal(run("-f torus.off -d2 -m2 -a2 -v 1 -o torus.off.4ogl.txt").exit_code, 0, "CGAL's options");
   std::ifstream in("torus.off.4ogl.txt");
   double x;
   long numbers = 0;
   while (in >> x) ++numbers;
   test::check_true(in.eof(), "the 4ogl file holds numbers only");
   test::check_equal(numbers, 14L * around * across, "14 numbers for each vertex in the 4ogl file");
-  test::check_true(contents("torus.off.verb.txt").find("condition_number") != std::string::npos, "the verbose file");
+  test::check_true(contents("torus.verb.txt").find("condition_number") != std::string::npos, "the verbose file");
   fs::remove("torus.off.4ogl.txt");
   test::check_equal(run("torus.off --directions d.obj -q").exit_code, 0, "an output of directions only");
-  test::check_true(!fs::exists("torus.off.4ogl.txt"), "the 4ogl file is written only where no output is named");
+  test::check_true(!fs::exists("torus.off.4ogl.txt"), "the 4ogl file is written only where it is named");
   test::check_equal(run("-f torus.off -d2 -p 3").exit_code, 2, "too few points for the degree");
 }
 
 void check_ridges()
 {
-  const Run made = run("torus.off --ridges all --ridges-output r.ply r.obj r.vtp -a 3 -q -t 1");
+  const Run made = run("stretched.off --ridges all --ridges-output r.ply r.obj r.vtp -a 3 -q -t 1");
   test::check_equal(made.exit_code, 0, "exit code with ridges: " + made.err);
   test::check_equal(made.out, std::string(), "nothing is printed with -q");
-  test::check_true(contents("r.obj").find("\nl ") != std::string::npos, "ridge lines of the torus");
+  test::check_true(contents("r.obj").find("\nl ") != std::string::npos, "ridge lines of a stretched torus");
+  test::check_equal(run("torus.off --ridges all --ridges-output none.obj -a 3 -q").exit_code, 0, "a round torus");
+  test::check_true(contents("none.obj").find("\nl ") == std::string::npos, "a round torus has no ridges");
   test::check_equal(run("torus.off --ridges-output r.ply").exit_code, 2, "ridge output without ridges");
   test::check_equal(run("quads.off --ridges all").exit_code, 2, "ridges of a mesh of quads");
+}
+
+// Points without normals are oriented alike: the sign of k2, negative everywhere on the torus with normals outwards.
+void check_orientation_of_points()
+{
+  Mesh mesh = read_ply("points.ply");
+  const auto k2 = property<float>(mesh, "k2");
+  std::size_t negative = 0;
+  for (Vertex v : mesh.vertices()) negative += k2[v] < 0;
+  test::check_equal(negative, std::size_t(around * across), "points where k2 is negative");
 }
 
 void check_points()
@@ -198,10 +244,171 @@ void check_points()
   std::string points, line;
   for (int i = 0; i < around * across && std::getline(in, line); ++i) points += line + '\n';
   write("points.xyz", points);
-  test::check_equal(run("points.xyz -p 20 -o points.ply points.vtp").exit_code, 0, "a point set");
+  const Run made = run("points.xyz -p 20 -o points.ply points.vtp");
+  test::check_equal(made.exit_code, 0, "a point set");
+  test::check_true(made.out.find("points have no normals") != std::string::npos,
+                   "what was done without normals: " + made.out);
+  test::check_true(contents("points.ply").find("comment the points have no normals") != std::string::npos,
+                   "and the file says so");
+  check_orientation_of_points();
   test::check_true(contents("points.ply").find("element vertex 2400") != std::string::npos, "all points are written");
   write("points.xyz", points + "1 2");
   test::check_equal(run("points.xyz -o cut.ply").exit_code, 2, "a point set that is cut short");
+  write("points.xyz", points + "4 5 6 x\n");
+  const Run refused = run("points.xyz -o cut.ply");
+  test::check_equal(refused.exit_code, 2, "a point set with a word");
+  test::check_true(refused.err.find("line 2401") != std::string::npos, "the line is named: " + refused.err);
+  write("points.xyz", points);
+  test::check_equal(run("points.xyz -a 3").exit_code, 2, "rings of points");
+  test::check_equal(run("points.xyz --sharp-angle 30").exit_code, 2, "sharp edges of points");
+  write("three.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+  const std::size_t before = number_of_files();
+  test::check_equal(run("three.xyz").exit_code, 1, "nothing estimated");
+  test::check_equal(number_of_files(), before, "no file where nothing is estimated");
+}
+
+// Nothing but the input: the data decide, wherever that is possible, and the summary says what was done and why.
+void check_choice()
+{
+  const auto check_says = [](const std::string& arguments, const std::string& words) {
+    const Run made = run(arguments + " -o choice.ply");
+    test::check_equal(made.exit_code, 0, arguments + ": " + made.err);
+    test::check_true(made.out.find(words) != std::string::npos, arguments + " says '" + words + "': " + made.out);
+  };
+  check_says("torus.off", "jets of radius and degree chosen for each vertex, Monge forms of degree 2: 2400 estimated");
+  Mesh mesh = read_ply("choice.ply");
+  const auto k1 = property<float>(mesh, "k1"), bias = property<float>(mesh, "bias");
+  double square_sum = 0;
+  for (Vertex v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    const double rho = std::hypot(p.x(), p.y()), truth = (2 - rho) / rho; // of a tube of radius 1 around one of 2
+    square_sum += (k1[v] - truth) * (k1[v] - truth);
+    test::check_true(bias[v] >= 0, "an estimate of the bias at each vertex");
+  }
+  // -d 2, the fixed choice, has 0.0145 on this mesh without noise
+  test::check_le(std::sqrt(square_sum / double(mesh.number_of_vertices())), 0.03, "RMS error of k1, automatic choice");
+  check_says("torus.off -d 2", "jets of degree 2 from rings up to 12 points");
+  check_says("torus.off -m 3", "not chosen from the data: the order of the Monge form is above 2");
+  check_says("torus.off --ridges crest", "not chosen from the data: ridges need derivatives of curvatures");
+  check_says("torus.off --errors", "not chosen from the data: --errors is set");
+  check_says("quads.off --lower-degree", "not chosen from the data: too few of them");
+}
+
+// A file named like the input, which replaces none but the program's own; the input may come after the outputs.
+void check_default_output()
+{
+  const Run made = run("torus.off");
+  test::check_equal(made.exit_code, 0, "no output named: " + made.err);
+  test::check_true(made.out.find("written: torus.ply (opens colored in MeshLab") != std::string::npos, "what opens it");
+  test::check_equal(run("torus.ply -q").exit_code, 0, "the input is a PLY file of this folder");
+  test::check_true(fs::exists("torus_curvatures.ply"), "the input is not replaced");
+  write("other.off", torus());
+  write("other.ply", "ply\n");
+  test::check_equal(run("other.off -q").exit_code, 0, "a PLY file of that name is there");
+  test::check_true(contents("other.ply") == "ply\n" && fs::exists("other_curvatures.ply"), "and is not replaced");
+  test::check_equal(run("-q -o first.ply second.csv torus.off").exit_code, 0, "outputs, then the input");
+  test::check_true(fs::exists("first.ply") && fs::exists("second.csv"), "outputs before the input");
+}
+
+// Permissions and symbolic links of files that are replaced.
+void check_replaced_files()
+{
+  fs::create_directory("folder");
+  write("folder/real.ply", "");
+  fs::permissions("folder/real.ply", fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::create_symlink("folder/real.ply", "link.ply");
+  test::check_equal(run("torus.off -q -o link.ply").exit_code, 0, "an output that is a symbolic link");
+  test::check_true(fs::is_symlink("link.ply") && fs::file_size("folder/real.ply") > 0, "the link stays");
+  test::check_true(fs::status("folder/real.ply").permissions() ==
+                       (fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read),
+                   "permissions are kept");
+  test::check_equal(run("torus.off -q -o link.ply folder/real.ply").exit_code, 2, "a file and a link to it");
+}
+
+// Two square grids that meet at a right angle: there each side has its own vertices, forms and normals.
+void check_sharp_edges()
+{
+  const int n = 12;
+  std::ostringstream roof;
+  roof << "OFF\n" << (2 * n + 1) * (n + 1) << ' ' << 2 * n * n << " 0\n";
+  for (int i = 0; i <= 2 * n; ++i)
+    for (int j = 0; j <= n; ++j) roof << std::max(n - i, 0) << ' ' << j << ' ' << std::min(n - i, 0) << '\n';
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j;
+      roof << "4 " << a << ' ' << a + 1 << ' ' << a + n + 2 << ' ' << a + n + 1 << '\n';
+    }
+  write("roof.off", roof.str());
+  const Run made = run("roof.off --sharp-angle auto -o roof.ply --picture roof.pov");
+  test::check_equal(made.exit_code, 0, "sharp edges: " + made.err);
+  test::check_true(made.out.find("12 sharp edges, of more than 40 degrees; 13 vertices were added") !=
+                       std::string::npos,
+                   "sharp edges are counted: " + made.out);
+  test::check_true(contents("roof.pov").find("\"sharp edge\"") != std::string::npos, "sharp edges are drawn");
+  Mesh mesh = read_ply("roof.ply");
+  test::check_equal(mesh.number_of_vertices(), std::size_t((2 * n + 2) * (n + 1)), "vertices of the roof, by sides");
+  const auto k1 = property<float>(mesh, "k1"), k2 = property<float>(mesh, "k2");
+  const auto normal = property<Kernel::Vector_3>(mesh, "normal");
+  double curvature = 0, oblique = 0;
+  for (Vertex v : mesh.vertices()) {
+    curvature = std::max({curvature, std::abs(double(k1[v])), std::abs(double(k2[v]))});
+    oblique = std::max(oblique, std::min(std::abs(normal[v].x()), std::abs(normal[v].z())));
+  }
+  test::check_le(curvature, 1e-9, "curvatures of the roof");
+  test::check_le(oblique, 1e-9, "normals of the roof are those of its faces");
+}
+
+void check_inside_out()
+{
+  std::istringstream in(torus());
+  std::string reversed, line;
+  while (std::getline(in, line)) {
+    int a, b, c;
+    if (std::sscanf(line.c_str(), "3 %d %d %d", &a, &b, &c) == 3 && line.find('.') == std::string::npos)
+      line = "3 " + std::to_string(a) + ' ' + std::to_string(c) + ' ' + std::to_string(b);
+    reversed += line + '\n';
+  }
+  write("inside_out.off", reversed);
+  const Run made = run("inside_out.off -o inside_out.ply");
+  test::check_true(made.out.find("closed and inside out") != std::string::npos, "inside out: " + made.out);
+  test::check_equal(run("inside_out.off --flip -q -o flipped.ply").exit_code, 0, "--flip");
+  Mesh flipped = read_ply("flipped.ply");
+  test::check_le(property<float>(flipped, "k2")[Vertex(0)], -0.9f, "k2 of the torus that was flipped");
+}
+
+// SIGTERM, sent while another program draws, which takes long: nothing is left behind.
+void check_signals()
+{
+  fs::create_directory("bin");
+  write("bin/povray", "#!/bin/sh\n[ \"$1\" = --version ] || exec sleep 20\n");
+  fs::permissions("bin/povray", fs::perms::owner_all);
+  const std::size_t before = number_of_files();
+  const std::string usual = program;
+  program = "PATH=\"$PWD/bin:$PATH\" timeout --preserve-status -s TERM 2 " + program;
+  const Run ended = run("torus.off -o ended.ply --picture ended.png");
+  program = usual;
+  test::check_equal(ended.exit_code, 128 + 15, "exit code after SIGTERM");
+  test::check_true(ended.err.find("interrupted: no file was written") != std::string::npos, "SIGTERM: " + ended.err);
+  test::check_equal(number_of_files(), before, "no file is left behind after SIGTERM");
+}
+
+// Lines come at intervals, whether the work reports or not.
+void check_progress()
+{
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen("progress.txt", "w"), &std::fclose);
+  {
+    tool::Progress progress(file.get(), false, std::chrono::milliseconds(20));
+    progress.begin("fitting");
+    progress.show(0.5);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    progress.begin("drawing");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  }
+  std::fflush(file.get());
+  const std::string text = contents("progress.txt");
+  test::check_true(text.find("fitting  50 %, 0 s, 0 s left\n") != std::string::npos, "progress of a fraction: " + text);
+  test::check_true(text.find("drawing, 0 s\n") != std::string::npos, "progress without a fraction: " + text);
+  test::check_ge(std::count(text.begin(), text.end(), '\n'), 4L, "lines of progress");
 }
 
 void check_refused(const std::string& file, const std::string& word)
@@ -212,6 +419,42 @@ void check_refused(const std::string& file, const std::string& word)
   test::check_true(refused.err.find(word) != std::string::npos, file + " is said to be " + word + ": " + refused.err);
   test::check_equal(std::count(refused.err.begin(), refused.err.end(), '\n'), 1L, "one line on stderr for " + file);
   test::check_equal(number_of_files(), before, "no file is left behind for " + file);
+}
+
+// Soups are made meshes, and it is said. These ones have too few points for a fit, which comes after that.
+void check_mended(const std::string& file, const std::string& word)
+{
+  const Run made = run(file + " -d 1 -o mended.ply");
+  test::check_equal(made.exit_code, 0, file + " is mended: " + made.err);
+  test::check_true(made.out.find(word) != std::string::npos, file + " is said to be " + word + ": " + made.out);
+  fs::remove("mended.ply");
+}
+
+// Forms of OFF: no keyword, comments, counts beside it, colors and normals behind, numbers that follow one another.
+void check_same_mesh()
+{
+  const std::string points[] = {"0 0 0", "+1 0 0", "0 1e0 0", "1 1 .5"}, faces[] = {"3 0 1 2", "3 1 3 2"};
+  std::string rest, colored, flat, homogeneous;
+  for (const std::string& p : points) {
+    rest += p + '\n';
+    colored += p + " 0 0 1  255 0 0 255 # a point\n";
+    flat += p + ' ';
+    homogeneous += p + " 1\n";
+  }
+  for (const std::string& f : faces) {
+    rest += f + "\n";
+    colored += f + " 0.5 0.5 0.5\n";
+    flat += f + ' ';
+    homogeneous += f + '\n';
+  }
+  write("form.off", "OFF\n4 2 0\n" + rest);
+  test::check_equal(run("form.off -d 1 -q -o expected.csv").exit_code, 0, "a plain OFF file");
+  for (const std::string& text : {"4 2 0\n" + rest, "# a comment\nOFF 4 2 0\r\n\n" + rest, "CNOFF\n4 2 0\n" + colored,
+                                  "OFF 4 2 5 " + flat, "4OFF\n4 2 0\n" + homogeneous, "nOFF 3\n4 2 0\n" + rest}) {
+    write("form.off", text);
+    test::check_equal(run("form.off -d 1 -q -o form.csv").exit_code, 0, "this OFF file is read:\n" + text);
+    test::check_true(contents("form.csv") == contents("expected.csv"), "and is the same mesh:\n" + text);
+  }
 }
 
 void check_bad_input()
@@ -228,31 +471,69 @@ void check_bad_input()
   write("butterfly.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
   write("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
   write("mesh.unknown", whole);
+  write("plane_in_4d.off", "4nOFF\n4\n3 1 0\n0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 1\n3 0 1 2\n");
+  write("binary.off", std::string("OFF BINARY\n\0\0\0", 14));
+  check_same_mesh();
+  check_refused("plane_in_4d.off", "three coordinates");
+  check_refused("binary.off", "binary");
   check_refused("cut_in_points.off", "cut short");
   check_refused("cut_in_faces.off", "cut short");
   check_refused("empty.off", "empty");
   check_refused("nothing.off", "no vertices");
   check_refused("words.stl", "no faces");
   check_refused("words.ply", "malformed");
-  check_refused("fan.off", "between vertices 0 and 1 belongs to 3 faces");
-  check_refused("twisted.off", "not oriented");
-  check_refused("butterfly.off", "several fans of faces meet in vertex 0");
+  check_mended("fan.off", "between vertices 0 and 1 belongs to 3 faces");
+  check_mended("twisted.off", "not oriented");
+  check_mended("butterfly.off", "several fans of faces meet in vertex 0");
   check_refused("index.off", "face 0 refers to vertex 7 of 3");
   check_refused("mesh.unknown", "unknown format");
   check_refused("missing.off", "no such file");
 }
 
+// Small files that claim to have lists of two billion numbers, with less memory than these would take.
+void check_claims()
+{
+  write("claim.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2147483648 0 1 2\n");
+  const std::string ply = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                          "property list int int vertex_indices\nend_header\n";
+  write("claim.ply", "ply\nformat binary_little_endian 1.0\n" + ply + std::string(36, 0) + "\xff\xff\xff\x7f");
+  write("claim_text.ply", "ply\nformat ascii 1.0\n" + ply + "0 0 0\n1 0 0\n0 1 0\n2147483647 0 1 2\n");
+  const std::string usual = program;
+  program = "ulimit -v 4000000; " + program;
+  for (const char* file : {"claim.off", "claim.ply", "claim_text.ply"}) check_refused(file, "cut short");
+  program = usual;
+}
+
 void check_bad_arguments()
 {
-  for (const char* arguments :
-       {"--no-such-option", "torus.off -d 0", "torus.off -d 2 -m 3", "torus.off -r -1", "torus.off --ridges some",
-        "torus.off -d 2 --ridges crest", "torus.off -o out.txt", "torus.off --color b0", "torus.off --view 1,2",
-        "torus.off --view 0,0,1", "a.off b.off", "-d %value%", "--co%original_token%"}) {
+  for (const char* arguments : {"--no-such-option",
+                                "torus.off -d 0",
+                                "torus.off -d 2 -m 3",
+                                "torus.off -r -1",
+                                "torus.off --ridges some",
+                                "torus.off -d 2 --ridges crest",
+                                "torus.off -o out.txt",
+                                "torus.off --color b0",
+                                "torus.off --view 1,2",
+                                "torus.off --view 0,0,1 --up z",
+                                "torus.off --up 0,0,0",
+                                "torus.off --sharp-angle blunt",
+                                "",
+                                " torus.off -o same.ply same.ply",
+                                "torus.off -o same.ply --directions ./same.ply",
+                                "torus.off -o torus.off",
+                                "torus.off --color mean",
+                                "a.off b.off",
+                                "-d %value%",
+                                "--co%original_token%"}) {
     const std::size_t before = number_of_files();
     const Run refused = run(arguments);
     test::check_equal(refused.exit_code, 2, std::string("exit code for ") + arguments);
     test::check_equal(number_of_files(), before, std::string("no file is left behind for ") + arguments);
   }
+  const Run colors = run("torus.off --color mean");
+  test::check_true(colors.err.find("one of H, K, shape_index") != std::string::npos,
+                   "the names of quantities: " + colors.err);
   test::check_equal(run("torus.off -o no_such_folder/out.ply").exit_code, 1, "an output that cannot be written");
   const Run help = run("--help");
   test::check_equal(help.exit_code, 0, "exit code for help");
@@ -270,13 +551,22 @@ int main(int argc, char* argv[])
   fs::create_directories(argv[2]);
   fs::current_path(argv[2]);
   write("torus.off", torus());
+  write("stretched.off", torus(1.5));
   write("quads.off", "OFF\n9 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 .1\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
                      "4 0 1 4 3\n4 1 2 5 4\n4 3 4 7 6\n4 4 5 8 7\n");
   check_round_trip();
   check_old_options();
+  check_choice();
+  check_default_output();
+  check_replaced_files();
+  check_sharp_edges();
+  check_inside_out();
   check_ridges();
   check_points();
   check_bad_input();
+  check_claims();
   check_bad_arguments();
+  check_signals();
+  check_progress();
   return test::result();
 }

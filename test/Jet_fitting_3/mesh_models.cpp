@@ -29,7 +29,7 @@ void useless_ids()
   Polyhedron_with_ids mesh;
   const auto vertices = build(sphere(1, 20), mesh);
   for (auto v : vertices) v->id() = 7;
-  Forms<Polyhedron_with_ids> forms;
+  Forms_by_vertex<Polyhedron_with_ids> forms;
   const auto summary =
       CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2), boost::make_assoc_property_map(forms));
   check_equal(summary.estimated, vertices.size(), "equal ids: all vertices are estimated");

@@ -33,7 +33,7 @@ using Vertex_of = typename boost::graph_traits<Mesh>::vertex_descriptor;
 template <class Mesh>
 using Form_of = typename CGAL::Monge_via_jet_fitting<Kernel_of<Mesh>>::Monge_form;
 template <class Mesh>
-using Forms = std::map<Vertex_of<Mesh>, Form_of<Mesh>>;
+using Forms_by_vertex = std::map<Vertex_of<Mesh>, Form_of<Mesh>>;
 
 // The vertices at most k edges away, ring after ring.
 template <class Mesh>
@@ -65,7 +65,7 @@ void check_door_equals_class(const Analytic_mesh& from, int k, int d, int dprime
 {
   Mesh mesh;
   build(from, mesh);
-  Forms<Mesh> forms;
+  Forms_by_vertex<Mesh> forms;
   const auto summary =
       CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(k), boost::make_assoc_property_map(forms),
                                         CGAL::parameters::degree_fitting(d).degree_monge(dprime));

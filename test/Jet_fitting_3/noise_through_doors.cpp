@@ -259,9 +259,9 @@ void refused()
   both(options, {text(size - 1), text(size)}, "a weight is missing");
   options.point_weights.assign(size, 1.);
   options.point_weights[5] = -2;
-  both(options, {"weight 5", "-2"}, "a negative weight");
+  both(options, {"weight of point 5", "-2"}, "a negative weight");
   options.point_weights[5] = std::numeric_limits<double>::quiet_NaN();
-  both(options, {"weight 5", "nan"}, "a weight that is not a number");
+  both(options, {"weight of point 5", "nan"}, "a weight that is not a number");
   Options by_function;
   by_function.weight_of_distance = [](double) { return -1.; };
   both(by_function, {"weight_of_distance", "-1"}, "a function that gives -1");

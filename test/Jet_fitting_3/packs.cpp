@@ -185,8 +185,8 @@ auto by_pca()
 }
 
 template <int lanes>
-Estimation<Pack<double, lanes>> in_packs(const std::array<const Cloud*, std::size_t(lanes)>& clouds, std::size_t d,
-                                         bool pca, const Fit_options& options)
+Local_estimate<Pack<double, lanes>> in_packs(const std::array<const Cloud*, std::size_t(lanes)>& clouds, std::size_t d,
+                                             bool pca, const Fit_options& options)
 {
   using P = Pack<double, lanes>;
   std::size_t longest = 0;
@@ -197,23 +197,23 @@ Estimation<Pack<double, lanes>> in_packs(const std::array<const Cloud*, std::siz
     const Cloud& cloud = *clouds[std::size_t(i)];
     for (std::size_t s = 0; s < longest; ++s) {
       const Vector_3<double> r = s < cloud.size() ? cloud[s] : cloud[0];
-      samples.set_lane(s, i, r.x, r.y, r.z);
+      samples.set_lane(s, i, r);
       samples.set_weight_lane(s, i, s < cloud.size() ? 1. : 0.);
     }
   }
   Abstaining_solver<P> solver;
-  return pca ? estimate(std::move(samples), d, d, by_pca<P>(), solver, options)
-             : estimate(std::move(samples), d, d, in_given_basis<P>(), solver, options);
+  return pca ? estimate(samples, d, d, by_pca<P>(), solver, options)
+             : estimate(samples, d, d, in_given_basis<P>(), solver, options);
 }
 
-Estimation<double> in_numbers(const Cloud& cloud, std::size_t d, bool pca, const Fit_options& options)
+Local_estimate<double> in_numbers(const Cloud& cloud, std::size_t d, bool pca, const Fit_options& options)
 {
   Samples<double> samples;
   samples.resize(cloud.size());
   for (std::size_t s = 0; s < cloud.size(); ++s) samples.set(s, cloud[s]);
   Orthogonal_solver<double> solver;
-  return pca ? estimate(std::move(samples), d, d, by_pca<double>(), solver, options)
-             : estimate(std::move(samples), d, d, in_given_basis<double>(), solver, options);
+  return pca ? estimate(samples, d, d, by_pca<double>(), solver, options)
+             : estimate(samples, d, d, in_given_basis<double>(), solver, options);
 }
 
 bool abstains(const Cloud& cloud, std::size_t d, bool pca)
@@ -223,7 +223,7 @@ bool abstains(const Cloud& cloud, std::size_t d, bool pca)
 
 // The solution Y, whose error is bounded by the condition number; frames by themselves.
 template <class P>
-void check_lane(const Estimation<P>& packs, int lane, const Estimation<double>& numbers, bool pca,
+void check_lane(const Local_estimate<P>& packs, int lane, const Local_estimate<double>& numbers, bool pca,
                 const std::string& what)
 {
   double largest = 0, difference = 0;
@@ -247,8 +247,8 @@ void check_lane(const Estimation<P>& packs, int lane, const Estimation<double>& 
 
 // Well conditioned: every number of the result.
 template <class P>
-void check_all(const Estimation<P>& packs, int lane, const Estimation<double>& numbers, double scale, double tolerance,
-               const std::string& what)
+void check_all(const Local_estimate<P>& packs, int lane, const Local_estimate<double>& numbers, double scale,
+               double tolerance, const std::string& what)
 {
   double unit = scale;
   for (std::size_t k = 2; monge_offset(k) < numbers.coefficients.size(); ++k, unit *= scale)

@@ -6,11 +6,9 @@
 
 // The doors with TBB: the same bits for every tag and number of threads, progress and cancelling, exceptions.
 
-#include "analytic_meshes.h"
 #include "check.h"
+#include "double_mesh.h"
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
@@ -28,21 +26,6 @@
 
 using namespace test;
 using namespace CGAL::Jet_fitting;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
-using Forms = std::vector<Form>;
-
-bool same_bits(const Forms& a, const Forms& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Form& f, const Form& g) {
-    return f.coefficients() == g.coefficients() && f.origin() == g.origin() &&
-           f.maximal_principal_direction() == g.maximal_principal_direction() &&
-           f.normal_direction() == g.normal_direction();
-  });
-}
 
 // That mesh with an isolated vertex more, and an infinite one among its own.
 Mesh spoiled(const Analytic_mesh& from)
@@ -81,11 +64,11 @@ void same_for_all_threads(const Mesh& mesh, const Neighborhood& neighborhood, co
   const Forms expected = mesh_forms<CGAL::Sequential_tag>(mesh, neighborhood);
   for (std::size_t threads : {1, 2, 3, 5}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    check_true(same_bits(mesh_forms<CGAL::Parallel_tag>(mesh, neighborhood), expected),
-               what + " of a mesh with " + text(threads) + " threads");
+    check_equal(number_of_differences(mesh_forms<CGAL::Parallel_tag>(mesh, neighborhood), expected), 0u,
+                what + " of a mesh with " + text(threads) + " threads");
   }
-  check_true(same_bits(mesh_forms<CGAL::Parallel_if_available_tag>(mesh, neighborhood), expected),
-             what + " of a mesh, Parallel_if_available_tag");
+  check_equal(number_of_differences(mesh_forms<CGAL::Parallel_if_available_tag>(mesh, neighborhood), expected), 0u,
+              what + " of a mesh, Parallel_if_available_tag");
 }
 
 // The points of a mesh, from a map that only the thread which made it may ask.
@@ -116,7 +99,8 @@ void own_point_map(const Mesh& mesh)
   CGAL::estimate_vertex_monge_forms<CGAL::Parallel_tag>(
       mesh, k_rings(3), CGAL::make_property_map(forms),
       CGAL::parameters::vertex_point_map(Points_of_one_thread(mesh)).degree_fitting(3).degree_monge(3));
-  check_true(same_bits(forms, mesh_forms<CGAL::Sequential_tag>(mesh, k_rings(3))), "a point map of the user's own");
+  check_equal(number_of_differences(forms, mesh_forms<CGAL::Sequential_tag>(mesh, k_rings(3))), 0u,
+              "a point map of the user's own");
 }
 
 void points_for_all_threads(const Mesh& mesh)
@@ -127,10 +111,10 @@ void points_for_all_threads(const Mesh& mesh)
   const Forms in_ball = point_forms<CGAL::Sequential_tag>(points, within_radius(0.05));
   for (std::size_t threads : {1, 2, 3, 5}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    check_true(same_bits(point_forms<CGAL::Parallel_tag>(points, nearest(15)), expected),
-               "nearest of points, in order, with " + text(threads) + " threads");
-    check_true(same_bits(point_forms<CGAL::Parallel_tag>(points, within_radius(0.05)), in_ball),
-               "within_radius of points, in order, with " + text(threads) + " threads");
+    check_equal(number_of_differences(point_forms<CGAL::Parallel_tag>(points, nearest(15)), expected), 0u,
+                "nearest of points, in order, with " + text(threads) + " threads");
+    check_equal(number_of_differences(point_forms<CGAL::Parallel_tag>(points, within_radius(0.05)), in_ball), 0u,
+                "within_radius of points, in order, with " + text(threads) + " threads");
   }
 }
 

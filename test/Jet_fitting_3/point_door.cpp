@@ -8,12 +8,12 @@
 // orientation, cancelling, exact coordinates, extreme lengths.
 
 #include "check.h"
+#include "double_forms.h"
 #include "same_form.h"
 #include "vec3.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Point_set_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/property_map.h>
 
@@ -34,12 +34,7 @@ using CGAL::Jet_fitting::Options;
 using CGAL::Jet_fitting::Status_flag;
 using CGAL::Jet_fitting::within_radius;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_3 = Kernel::Point_3;
-using Vector_3 = Kernel::Vector_3;
-using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
 using Points = std::vector<Point_3>;
-using Forms = std::vector<Form>;
 
 // Random points of a torus with radii 2 and 1, and of the unit sphere.
 Points on_torus(std::size_t n)
@@ -262,19 +257,31 @@ void bad_points()
   check_equal(lowered.count(Status_flag::degree_lowered), std::size_t(3), "three points have a plane");
 }
 
-void cancelling()
+// Forms of the points before the first that was not reached, which may be none: neighbors are found in another order.
+template <class Neighborhood>
+std::size_t forms_until_cancelled(const Points& points, const Neighborhood& neighborhood)
 {
-  const Points points = on_torus(5000);
   Forms forms;
   int calls = 0;
   const auto summary =
-      CGAL::estimate_point_monge_forms(points, nearest(12), std::back_inserter(forms),
+      CGAL::estimate_point_monge_forms(points, neighborhood, std::back_inserter(forms),
                                        CGAL::parameters::callback([&](double) { return ++calls < 2; }));
   check_true(summary.cancelled, "a cancelled call says so");
-  check_equal(forms.size(), summary.estimated + summary.skipped, "a form for each point that was reached");
-  check_ge(forms.size(), std::size_t(1), "some were");
-  check_le(forms.size(), std::size_t(4999), "not all");
+  check_equal(calls, 2, "no call after cancelling");
+  check_equal(forms.size(), summary.estimated + summary.skipped, "a form for each point that has a status");
+  check_le(forms.size(), std::size_t(4999), "not all were reached");
   check_true(summary.status(4999).is_unknown(), "the last one was not");
+  return forms.size();
+}
+
+void cancelling()
+{
+  Points points = on_torus(5000);
+  forms_until_cancelled(points, nearest(12));
+  const auto own = [](std::size_t i, std::vector<std::size_t>& found) { found = {i, (i + 1) % 5000, (i + 2) % 5000}; };
+  check_ge(forms_until_cancelled(points, own), std::size_t(1), "in the order of the points with an own neighborhood");
+  std::sort(points.begin(), points.end(), [](const Point_3& p, const Point_3& q) { return p.x() < q.x(); });
+  check_le(forms_until_cancelled(points, within_radius(0.1)), std::size_t(2048), "no more than was reached");
 }
 
 void bad_arguments()
@@ -282,6 +289,11 @@ void bad_arguments()
   Points points = on_torus(20);
   check_throws<Invalid_input>([&] { forms_of(points, nearest(12), CGAL::parameters::degree_fitting(0)); },
                               {"degree_fitting", "0"}, "degree 0");
+  const std::size_t minus_one = std::size_t(-1);
+  check_throws<Invalid_input>([&] { forms_of(points, nearest(12), CGAL::parameters::degree_fitting(minus_one)); },
+                              {text(minus_one)}, "the largest number as degree");
+  check_throws<Invalid_input>([&] { forms_of(points, nearest(12), CGAL::parameters::degree_monge(minus_one)); },
+                              {text(minus_one)}, "the largest number as degree of the form");
   const auto beyond = [](std::size_t, std::vector<std::size_t>& found) { found = {0, 20}; };
   check_throws<Invalid_input>([&] { forms_of(points, beyond); }, {"neighborhood"}, "a position beyond the range");
 }

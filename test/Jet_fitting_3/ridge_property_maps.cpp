@@ -10,6 +10,7 @@
 #include "analytic_meshes.h"
 #include "check.h"
 
+#include <CGAL/Jet_fitting_3/extract_ridges.h>
 #include <CGAL/Jet_fitting_3/ridges.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Ridges.h>
@@ -169,8 +170,79 @@ void bad_vertices()
   check_ge(lines.size(), std::size_t(1), "ridges of a torus");
 }
 
+// "Estimated" means the same to the maps and to the extraction: with the degree that was asked for.
+void one_meaning_of_estimated()
+{
+  Surface_mesh mesh;
+  build(graph("saddle", 8, [](double x, double y) { return std::array<double, 6>{x * x * x - y * y}; }), mesh);
+  CGAL::Jet_fitting::Options options;
+  options.lower_degree = true;
+  const Maps<Surface_mesh> maps(mesh, CGAL::Jet_fitting::k_rings(2), options);
+  std::size_t lowered = 0, others = 0;
+  for (auto v : mesh.vertices()) {
+    const bool is_lowered = maps.summary().status(v).has(CGAL::Jet_fitting::Status_flag::degree_lowered);
+    (is_lowered ? lowered : others) += 1;
+    check_equal(maps.is_estimated(v), !is_lowered, "estimated means of the degree that was asked for");
+  }
+  check_true(lowered > 0 && others > 0, "the corners have too few points, the middle has not");
+  std::size_t triangles = 0;
+  for (auto f : mesh.faces()) {
+    bool has_lowered = false;
+    for (auto v : vertices_around_face(mesh.halfedge(f), mesh)) has_lowered = has_lowered || !maps.is_estimated(v);
+    triangles += has_lowered;
+  }
+  const auto ridges = CGAL::Jet_fitting::extract_ridges(mesh, maps);
+  check_equal(ridges.left_out.not_estimated, 2 * triangles, "triangles that are left out, for each colour");
+}
+
+// An exact zero is 1e-100 for CGAL's classes only; copies share the table; a mesh that grew is noticed.
+void views()
+{
+  Surface_mesh mesh;
+  build(jittered_square(12), mesh);
+  const Maps<Surface_mesh> maps(mesh), copy = maps;
+  check_equal(maps.table().get(), copy.table().get(), "copies share the table");
+  for (auto v : mesh.vertices()) {
+    check_true(get(maps.b0, v) != 0 && get(maps.b3, v) != 0, "the maps hand out no zero");
+    check_equal(maps.table()->values[v.idx()].max.b, 0., "the table has it");
+  }
+  const auto a = mesh.add_vertex(Kernel::Point_3(5, 5, 0)), b = mesh.add_vertex(Kernel::Point_3(6, 5, 0)),
+             c = mesh.add_vertex(Kernel::Point_3(5, 6, 0));
+  mesh.add_face(a, b, c);
+  check_throws<CGAL::Jet_fitting::Invalid_input>([&] { CGAL::Jet_fitting::extract_ridges(mesh, maps); },
+                                                 {"another mesh"}, "vertices that the maps do not know");
+}
+
+// Impossible degrees are refused with their number, before anything is derived from them.
+void impossible_degrees()
+{
+  using CGAL::parameters::degree_fitting;
+  Surface_mesh mesh;
+  build(jittered_square(12), mesh);
+  const std::size_t minus_one = std::size_t(-1);
+  const auto refuse = [&mesh](const auto& np, const std::string& number) {
+    using CGAL::Jet_fitting::Invalid_input;
+    const auto rings = CGAL::Jet_fitting::k_rings(3);
+    check_throws<Invalid_input>([&] { return Maps<Surface_mesh>(mesh, np); }, {number}, "default, degree " + number);
+    check_throws<Invalid_input>([&] { return Maps<Surface_mesh>(mesh, rings, np); }, {number},
+                                "rings, degree " + number);
+  };
+  refuse(degree_fitting(minus_one), text(minus_one));
+  refuse(degree_fitting(minus_one - 1), text(minus_one - 1)); // (d+1)(d+2) is 0
+  refuse(degree_fitting(std::size_t(1) << 32), text(std::size_t(1) << 32));
+  refuse(degree_fitting(-1), "-1");
+  refuse(degree_fitting(0), "0");
+  refuse(degree_fitting(35), "35");
+  refuse(degree_fitting(4).degree_monge(minus_one), text(minus_one));
+  refuse(degree_fitting(4).degree_monge(-1), "-1");
+  refuse(degree_fitting(4).degree_monge(2), "2");
+}
+
 int main()
 {
+  impossible_degrees();
+  one_meaning_of_estimated();
+  views();
   ellipsoid_ridges<Surface_mesh>("Surface_mesh");
   ellipsoid_ridges<Polyhedron>("Polyhedron_3");
   values();

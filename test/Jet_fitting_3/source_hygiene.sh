@@ -18,7 +18,7 @@ findings() {
   fi
 }
 
-folders=$(ls -d include test examples benchmark doc cmake scripts .ci 2> /dev/null)
+folders=$(ls -d include test examples demo benchmark doc cmake scripts .ci 2> /dev/null)
 # shellcheck disable=SC2086
 texts=$(find $folders CMakeLists.txt -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.cmake' -o -name '*.in' -o \
   -name 'CMakeLists.txt' -o -name '*.sh' -o -path 'doc/*.txt' -o -path '.ci/*' \))
@@ -53,41 +53,57 @@ grep -nE '^using namespace|std::c(out|err)\b' $headers | findings "no using name
 # shellcheck disable=SC2086
 grep -nE '^ *# *define ' $headers | grep -vE '# *define CGAL_' | findings "macros begin with CGAL_"
 
-# Dependencies point one way: numeric <- values <- steps <- noise <- estimation <- door (b) <- door (a). The first column is the
-# layer of the file, the second an include that it may not have.
+# Dependencies point one way; a folder is a room, its internal/ belongs to it. The first column is the room of the file, the
+# second an include that it may not have.
 for file in $headers; do
   sed -n "s|^ *# *include *[<\"]\([^>\"]*\)[>\"].*|$file \1|p" "$file"
 done | awk '
-  function layer(path) {
+  function room(path) {
     if (path !~ /^CGAL\//) return "other"
-    if (path !~ /^CGAL\/Jet_fitting_3\//) return ours[path] ? "door" : "CGAL"
+    if (path !~ /^CGAL\/Jet_fitting_3\//) return ours[path] ? "functions" : "CGAL"
     sub(/^CGAL\/Jet_fitting_3\//, "", path)
-    if (path ~ /^(internal|neighborhoods)\// || path ~ /^(ridges|extract_ridges|extract_umbilics)\.h$/) return "CGAL side"
+    if (path ~ /^internal\/[a-z]+\//) { sub(/^internal\//, "", path); sub(/\/.*/, "", path); return path }
+    if (path ~ /^internal\//) return "kernels"
     if (path ~ /\//) { sub(/\/.*/, "", path); return path }
-    if (path == "Fit_options.h" || path == "Invalid_input.h") return "values"
-    return path == "estimation.h" ? "estimation" : "class"
+    if (path == "Options.h" || path == "Invalid_input.h") return "values"
+    if (path ~ /^(Estimation_status|Estimation_summary|point_weight_map)\.h$/) return "reports"
+    if (path ~ /^(Fit_options|Jet_surface|confidence_factor|ridges|Ridge_line|extract_ridges|extract_umbilics)\.h$/) return "forwarding"
+    return path ~ /^estimation(_with_normals)?\.h$/ ? "estimation" : "class"
   }
+  function also(name, rooms) { may[name] = name " " rooms }
   BEGIN {
-    may["numeric"] = "numeric"
-    may["values"] = "values numeric"
-    may["steps"] = "steps values numeric"
-    may["solvers"] = "solvers values numeric"
-    may["noise"] = "noise steps values numeric"
-    may["estimation"] = "noise steps values numeric"
-    may["class"] = "class estimation solvers noise steps values numeric"
-    may["CGAL side"] = "*"
-    may["door"] = "*"
+    also("numeric", "")
+    also("values", "numeric")
+    also("steps", may["values"])
+    also("solvers", may["values"])
+    also("scale", may["values"])
+    also("noise", may["steps"])
+    also("estimation", may["noise"])
+    also("scale", may["noise"])
+    also("class", may["estimation"] " solvers")
+    also("surface", may["class"])
+    also("reports", may["values"] " CGAL")
+    also("kernels", "CGAL")
+    also("machine", "CGAL")
+    also("tables", "kernels machine values numeric CGAL")
+    also("gathering", may["tables"] " scale")
+    also("fitting", may["gathering"] " reports " may["class"] " functions scale surface")
+    also("neighborhoods", may["fitting"])
+    also("prepared", may["neighborhoods"])
+    also("functions", may["prepared"])
+    also("ridges", may["functions"])
+    may["forwarding"] = "*"
   }
   { file[NR] = $1; included[NR] = $2; sub(/^include\//, "", $1); from[NR] = $1; ours[$1] = 1 }
   END {
     for (i = 1; i <= NR; ++i) {
-      a = layer(from[i]); b = layer(included[i])
+      a = room(from[i]); b = room(included[i])
       if (b != "other" && may[a] != "*" && index(" " may[a] " ", " " b " ") == 0)
         print file[i] " (" a ") includes " included[i] " (" b ")"
     }
   }' | findings "the direction of includes"
 
-for file in $(find test examples benchmark -maxdepth 2 -name '*.cpp'); do
+for file in $(find test examples demo benchmark -maxdepth 2 -name '*.cpp'); do
   grep -qw "$(basename "$file" .cpp)" "$(dirname "$file")/CMakeLists.txt" || echo "$file"
 done | findings "each program is named in the CMakeLists.txt of its folder"
 

@@ -212,9 +212,10 @@ void refused()
   const double infinity = std::numeric_limits<double>::infinity();
   check_throws<Invalid_input>(with(19, 1.), {"19", "20"}, "too few weights");
   check_throws<Invalid_input>(with(21, 1.), {"21", "20"}, "too many weights");
-  check_throws<Invalid_input>(with(20, -0.5), {"weight 7", "-0.5"}, "a negative weight");
-  check_throws<Invalid_input>(with(20, infinity), {"weight 7", "inf"}, "an infinite weight");
-  check_throws<Invalid_input>(with(20, infinity - infinity), {"weight 7", "nan"}, "a weight that is not a number");
+  check_throws<Invalid_input>(with(20, -0.5), {"weight of point 7", "-0.5"}, "a negative weight");
+  check_throws<Invalid_input>(with(20, infinity), {"weight of point 7", "inf"}, "an infinite weight");
+  check_throws<Invalid_input>(with(20, infinity - infinity), {"weight of point 7", "nan"},
+                              "a weight that is not a number");
   for (double value : {-1., infinity, infinity - infinity})
     check_throws<Invalid_input>(
         [&] {

@@ -3,7 +3,7 @@
 \cgalConcept
 
 Conversions of numbers between the `DataKernel` and the `LocalKernel`, for the stand-alone class
-`CGAL::Jet_fitting::Monge_via_jet_fitting`. `CGAL::Monge_via_jet_fitting` brings its own.
+`CGAL::Jet_fitting::Monge_via_jet_fitting`. `CGAL::Monge_via_jet_fitting` needs none: it has those of \cgal.
 
 The paper (section 4.3.3) converts numbers, points and vectors; numbers are enough, because what is converted are
 differences of coordinates: a point would be rounded before it could be subtracted.

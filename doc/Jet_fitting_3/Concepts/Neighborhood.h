@@ -6,8 +6,8 @@ From which vertices of a mesh, or points of a set, the form at one of them is es
 `CGAL::estimate_vertex_monge_forms()` an item is a `vertex_descriptor` of the mesh, for
 `CGAL::estimate_point_monge_forms()` a `std::size_t`, the position in the range.
 
-The models of the package work through an interface of their own and respect sharp edges and opposite sheets of the
-surface; a user's own does what its author wants.
+The models of the package work through an internal interface and respect sharp edges and opposite sheets of the surface;
+a function object of yours need not.
 
 \cgalHasModelsBegin
 \cgalHasModelsBare{`CGAL::Jet_fitting::k_rings()` and `CGAL::Jet_fitting::enough_rings()`\, of meshes}

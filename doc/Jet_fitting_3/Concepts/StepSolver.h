@@ -2,7 +2,7 @@
 \ingroup PkgJetFitting3Concepts
 \cgalConcept
 
-Who solves the least squares problem inside the steps. `SvdTraits` is the interface for users; this one is for those who
+Solves the least squares problem inside the steps. `SvdTraits` is the interface for users; this one is for those who
 run the steps themselves or replace the fast solver.
 
 \cgalHasModelsBegin
@@ -17,9 +17,10 @@ public:
   /// Solves a system of `rows` >= `columns` equations. `assemble(system)` fills a `numeric::Linear_system<FT>` that has been
   /// resized to these numbers; it may be called again.
   ///
-  /// \return a `numeric::Least_squares_solution<FT>`: Y, the square sum of the residuals, the numerical rank, and either
-  ///         the condition number or the triangle R of M = QR, from which it is computed when asked for. `trusted` is
-  ///         false (lane by lane, if FT is a pack) where the solver leaves the decision to another one
+  /// \return a `numeric::Least_squares_solution<FT>`: Y, the square sum of the residuals, the numerical rank, the triangle R
+  ///         of M = QR, from which the condition number is computed when asked for, and the condition number itself if
+  ///         it is known anyway. `trusted` is false (lane by lane, if FT is a pack) where the solver leaves the decision
+  ///         to another one
   template <class Assemble>
   numeric::Least_squares_solution<FT> operator()(std::size_t rows, std::size_t columns, const Assemble& assemble);
 };

@@ -4,8 +4,8 @@
 
 Linear algebra for the least squares problem of step 2.
 
-A user's own model is always called, once for each fit. For the default models any method with the same answer to
-rounding may stand in: see `CGAL::Monge_via_jet_fitting`. A class that misses a requirement is refused at compile time
+A model that you write is always called, once for each fit. For the default models any method with the same answer to
+rounding may be used instead: see `CGAL::Monge_via_jet_fitting`. A class that misses a requirement is refused at compile time
 with a sentence that lists them.
 
 \cgalHasModelsBegin

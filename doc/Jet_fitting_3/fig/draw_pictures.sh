@@ -1,20 +1,21 @@
 #!/bin/sh
-# The pictures (.png) of this folder, by the example program Mesh_estimation, which draws with povray.
-# Usage: draw_pictures.sh <folder of the programs Mesh_estimation and bezier_surface> <CGAL's data>/meshes
-# After scripts/demo.sh these are build/demo/examples/Jet_fitting_3 and build/demo/cgal_demo/data/meshes.
+# The pictures (.png) of this folder, by the program Mesh_estimation, which draws with povray.
+# Usage: draw_pictures.sh <build folder>
+# The build folder is build/demo after scripts/demo.sh; CGAL's data are unpacked there.
 set -eu
-programs=$(cd "$1" && pwd)
-scan=$(cd "$2" && pwd)/bunny00.off
+build=$(cd "$1" && pwd)
+program=$build/demo/Jet_fitting_3/Mesh_estimation
+scan=$build/cgal_demo/data/meshes/bunny00.off
 cd "$(dirname "$0")"
 bezier=$(mktemp -d)/bezier_surface.off
 trap 'rm -r "$(dirname "$bezier")"' EXIT
-"$programs/bezier_surface" "$bezier"
+"$build/examples/Jet_fitting_3/bezier_surface" "$bezier"
 
 of_scan() {
-  "$programs/Mesh_estimation" "$scan" -q --no-quality --view 0.2,0.2,1 --up 0,1,0 --width 800 --height 620 "$@"
+  "$program" "$scan" -q --no-quality --view 0.2,0.2,1 --up 0,1,0 --width 800 --height 620 "$@"
 }
 of_bezier() {
-  "$programs/Mesh_estimation" "$bezier" -q --no-quality --view 0.25,-0.7,1 --width 800 --height 620 "$@"
+  "$program" "$bezier" -q --no-quality --view 0.25,-0.7,1 --width 800 --height 620 "$@"
 }
 
 of_scan -d 4 -a 4 --color H --percentile 4 --picture mean_curvature.png

@@ -3,7 +3,7 @@
 # usage: awk -f formulas.awk <file>, as a filter of doxygen
 
 BEGIN {
-  n = split("alpha beta gamma delta epsilon kappa lambda pi rho sigma theta phi partial ge le ne approx times cdot " \
+  n = split("alpha beta gamma delta epsilon kappa lambda pi rho sigma theta phi Phi nabla partial ge le ne approx times cdot " \
             "pm infty sum to in mapsto", plain, " ")
   for (i = 1; i <= n; ++i) symbol[plain[i]] = "&" plain[i] ";"
   symbol["partial"] = "&part;"; symbol["approx"] = "&asymp;"; symbol["cdot"] = "&thinsp;&middot;&thinsp;"

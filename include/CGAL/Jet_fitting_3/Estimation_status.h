@@ -17,7 +17,8 @@ namespace Jet_fitting {
 /// What there is to know about the estimation at one vertex or point. Several may hold at once.
 enum class Status_flag : std::uint16_t
 {
-  /// A form was written. Without it: skipped, for one of the next four reasons; or not reached, if nothing is set.
+  /// A form was written. Without it: skipped, for one of the next four reasons or the last; or not reached, if nothing
+  /// is set.
   estimated = 1,
   /// No point in the neighborhood but the vertex itself.
   isolated = 2,
@@ -29,8 +30,9 @@ enum class Status_flag : std::uint16_t
   rank_deficient = 16,
   /// With Options::lower_degree: a smaller degree was fitted, because of one of the last two.
   degree_lowered = 32,
-  /// The points lie mostly on one side, as at the boundary of a surface: the mean of their offsets is above 0.45 times
-  /// the root of their mean squared distance (0.6 in the middle of the border of a half disc). Errors are many times larger.
+  /// The points lie mostly on one side, as at a boundary: the mean of their offsets is longer than 0.45 times the root
+  /// of their mean squared distance (0.6 in the middle of a half disc's straight side). Errors are then many times
+  /// larger.
   one_sided = 64,
   /// Principal directions mean little. Either k1 and k2 differ by less than a tenth of the larger one, and by no more
   /// than the residual leaves open, which is about 3 d rms / h^2 (h^2 being the variance of the points in their plane),
@@ -40,7 +42,10 @@ enum class Status_flag : std::uint16_t
   /// in which heights are measured may be far from the normal.
   pca_ambiguous = 256,
   /// A robust loss was asked for, and there are fewer than 5 N_d points: too few to tell outliers from the surface.
-  few_points_for_robust_loss = 512
+  few_points_for_robust_loss = 512,
+  /// Of a place that is no sample: the jet has no point closest to it over the samples. The place is beside them, or
+  /// too far away.
+  beside_samples = 1024
 };
 
 /// \ingroup PkgJetFitting3Results
@@ -101,7 +106,8 @@ inline std::ostream& operator<<(std::ostream& out, Estimation_status status)
                {Status_flag::one_sided, "one-sided"},
                {Status_flag::near_umbilic, "near umbilic"},
                {Status_flag::pca_ambiguous, "pca ambiguous"},
-               {Status_flag::few_points_for_robust_loss, "few points for the robust loss"}};
+               {Status_flag::few_points_for_robust_loss, "few points for the robust loss"},
+               {Status_flag::beside_samples, "beside the samples"}};
   const char* separator = "";
   for (const auto& word : words) {
     if (!status.has(word.flag)) continue;

@@ -21,6 +21,21 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Results
+/// What automatic() chose for the principal curvatures at a point; all zero with other neighborhoods. Of the two
+/// curvatures, which choose for themselves, the larger degree, and roots of mean squares.
+struct Chosen_scale
+{
+  double radius = 0;             ///< length
+  std::size_t degree = 0;        ///< of the jet
+  double bias = 0;               ///< as estimated, 1/length
+  double standard_deviation = 0; ///< by noise, as estimated, 1/length
+
+  /// Of a third order coefficient, the root of squared bias and variance, as estimated, 1/length^2; 0 if none was
+  /// chosen for: below degree 3, and on point sets.
+  double third_order_error = 0;
+};
+
+/// \ingroup PkgJetFitting3Results
 /// How well a form is determined: what Monge_estimate tells of a single fit.
 struct Fit_quality
 {
@@ -28,6 +43,7 @@ struct Fit_quality
   double condition_number = 0;             ///< of the preconditioned system
   double residual_rms = 0;                 ///< length
   Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
+  Chosen_scale scale;                      ///< of automatic()
 };
 
 /// \ingroup PkgJetFitting3Results
@@ -89,7 +105,7 @@ public:
   }
 
   /// For the functions that estimate. There may be no qualities. items are all of them in their order, number_of(item)
-  /// is the place of an item in the other two.
+  /// is the index of an item in the other two.
   template <class Items>
   void set_reports(std::vector<Estimation_status> statuses, std::vector<Fit_quality> qualities, const Items& items,
                    std::function<std::size_t(const Item&)> number_of)

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,27 +30,46 @@ public:
 };
 
 /// \ingroup PkgJetFitting3Results
-/// 1 <= d' <= d. \throw Invalid_input otherwise
+/// \throw Invalid_input, which says of what, if a degree is above highest_degree
+inline void check_highest_degree(const std::string& of, const std::string& name, std::size_t degree)
+{
+  if (degree > highest_degree)
+    throw Invalid_input("the degree of " + of + " must be at most " + std::to_string(highest_degree) + ": got " + name +
+                        " = " + std::to_string(degree));
+}
+
+/// \ingroup PkgJetFitting3Results
+/// 1 <= d' <= d <= highest_degree. \throw Invalid_input otherwise
 inline void check_degrees(std::size_t d, std::size_t dprime)
 {
+  check_highest_degree("the fitted jet", "d", d);
   if (dprime < 1 || dprime > d)
     throw Invalid_input("the degree of the Monge form must lie between 1 and the degree of the fitted jet: got d' = " +
                         std::to_string(dprime) + ", d = " + std::to_string(d));
 }
 
 /// \ingroup PkgJetFitting3Results
-/// At least N_d samples. \throw Invalid_input otherwise
+/// At least N_d samples, for a degree that check_degrees() has passed. \throw Invalid_input otherwise
 inline void check_number_of_samples(std::size_t n, std::size_t d)
 {
-  const std::size_t absurd = std::size_t(1) << (std::numeric_limits<std::size_t>::digits / 2 - 1); // N_d may overflow
-  if (d >= absurd) throw Invalid_input("a jet cannot have degree " + std::to_string(d));
   if (n < number_of_jet_coefficients(d))
     throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " +
                         std::to_string(number_of_jet_coefficients(d)) + " samples or more: got " + std::to_string(n));
 }
 
+/// \ingroup PkgJetFitting3Results
+/// At least N_d / 3 samples with normals, which give three equations each. \throw Invalid_input otherwise
+inline void check_number_of_oriented_samples(std::size_t n, std::size_t d)
+{
+  check_number_of_samples((std::numeric_limits<std::size_t>::max)(), d);
+  const std::size_t least = (number_of_jet_coefficients(d) + 2) / 3;
+  if (n < least)
+    throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " + std::to_string(least) +
+                        " samples with normals or more: got " + std::to_string(n));
+}
+
 /// \throw Invalid_input unless there is one weight for each of n points, finite and not negative
-/// \return a factor, a power of four, that brings the largest weight near 1. Only their ratios matter, and sums and
+/// \return a factor, a power of four, that makes the largest weight about 1. Only their ratios matter, and sums and
 ///         square roots of weights so multiplied neither overflow nor change a digit
 inline double normalization_of_weights(const std::vector<double>& weights, std::size_t n)
 {
@@ -61,7 +79,7 @@ inline double normalization_of_weights(const std::vector<double>& weights, std::
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (!(weights[i] >= 0) || std::isinf(weights[i]))
-      throw Invalid_input("weight " + std::to_string(i) + " of " + std::to_string(n) +
+      throw Invalid_input("the weight of point " + std::to_string(i) + " of " + std::to_string(n) +
                           " must be finite and not negative: got " + std::to_string(weights[i]));
     largest = (std::max)(largest, weights[i]);
   }

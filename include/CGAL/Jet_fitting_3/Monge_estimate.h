@@ -9,27 +9,30 @@
 
 #include <CGAL/Jet_fitting_3/Monge_form.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Results
 /// How much the samples determine.
 enum class Fit_status
 {
   full_rank,     ///< one jet fits best
-  rank_deficient ///< several do (section 2.2: samples on an algebraic curve, coinciding, collinear); the smallest is taken
+  rank_deficient ///< several do (section 2.2: samples on an algebraic curve, coinciding); the smallest is taken
 };
 
 /// \ingroup PkgJetFitting3Results
 /// All that one fit tells: the Monge form, and what is known about its quality. A value: copies do not share anything.
 ///
 /// How to read it: rank and condition number tell whether the samples determine the jet, not whether the jet resembles
-/// the surface. For that look at the residual against the noise you expect, and at the variances: the smallest should be
-/// far below the second, or the z axis of the fit may be far from the normal.
+/// the surface. For that look at the residual against the noise you expect, and at the variances: the smallest should
+/// be far below the second, or the z axis of the fit may be far from the normal.
 template <class DataKernel, class LocalKernel>
 class Monge_estimate
 {
@@ -38,7 +41,7 @@ public:
   using Local_vector_3 = typename LocalKernel::Vector_3; ///< of the axes of the fit
 
   /// For the classes that estimate.
-  Monge_estimate(const typename DataKernel::Point_3& p, const Monge_form<DataKernel>& form, Estimation<FT> details)
+  Monge_estimate(const typename DataKernel::Point_3& p, const Monge_form<DataKernel>& form, Local_estimate<FT> details)
     : m_point(p), m_form(form), m_details(std::move(details))
   {}
 
@@ -68,6 +71,12 @@ public:
   /// Root mean square of the (weighted) residuals, measured along the fitting z axis, in length.
   FT residual_rms() const { return m_details.residual_rms; }
 
+  /// The residual of each sample, in the order of the range: how far it lies above the fitted jet, measured along the
+  /// fitting z axis, pca_basis(2), in length; negative below. Weights do not change it. Empty unless
+  /// Fit_options::residuals was set. Their root mean square is residual_rms() in plain fits; with weights, or
+  /// with normals as data, where other residuals are made small, it is not.
+  const std::vector<FT>& residuals() const { return m_details.residuals; }
+
   /// Axis i of the fitting basis (x, y, z for i = 0, 1, 2) after the variance of the samples along it, in length^2.
   /// From the PCA the variances descend.
   std::pair<FT, Local_vector_3> pca_basis(std::size_t i) const
@@ -78,7 +87,8 @@ public:
   /// The fitted jet, in the fitting basis with p as origin.
   const Jet<FT>& jet() const { return m_details.fit.jet; }
 
-  /// Standard errors of the normal and of the coefficients of monge_form() as it was estimated, if asked for (else is_estimated is false).
+  /// Standard errors of the form as estimated, before comply_wrt_given_normal(); is_estimated is false unless
+  /// Fit_options::standard_errors was set.
   const Standard_errors<FT>& standard_errors() const { return m_details.standard_errors; }
 
   /// Under a robust loss the last weight of each sample, in the order of the range: near 0 for outliers. Else empty.
@@ -91,14 +101,15 @@ public:
   }
 
   /// What the steps gave.
-  const Estimation<FT>& details() const { return m_details; }
+  const Local_estimate<FT>& details() const { return m_details; }
 
 private:
   typename DataKernel::Point_3 m_point;
   Monge_form<DataKernel> m_form;
-  Estimation<FT> m_details;
+  Local_estimate<FT> m_details;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

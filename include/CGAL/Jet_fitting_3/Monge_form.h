@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_MONGE_FORM_H
 #define CGAL_JET_FITTING_3_MONGE_FORM_H
 
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
 
 #include <algorithm>
@@ -26,7 +27,8 @@ namespace Jet_fitting {
 ///
 /// In this basis the surface is
 ///
-///   z = 1/2 (k1 x^2 + k2 y^2) + 1/6 (b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3) + 1/24 (c0 x^4 + 4 c1 x^3 y + ...) + ...
+/// \f[ z = \frac{1}{2} (k_1 x^2 + k_2 y^2) + \frac{1}{6} (b_0 x^3 + 3 b_1 x^2 y + 3 b_2 x y^2 + b_3 y^3) \f]
+/// \f[ + \frac{1}{24} (c_0 x^4 + 4 c_1 x^3 y + 6 c_2 x^2 y^2 + 4 c_3 x y^3 + c_4 y^4) + \dots \f]
 ///
 /// k1 >= k2, in 1/length, are positive where the surface bends towards n: -1/r on a sphere of radius r whose n points
 /// outwards. (-d1, -d2, n), under which the coefficients of odd order change sign, is the other Monge basis.
@@ -96,8 +98,8 @@ public:
     return degree;
   }
 
-  /// g_ij, the derivative of the height function of the form, for i + j <= d': g_20 = k1, g_02 = k2, b_j = g_(3-j)j, ...
-  /// Those of order below 2 and g_11 are 0.
+  /// g_ij, the derivative of the height function of the form, for i + j <= d': g_20 = k1, g_02 = k2, b_j = g_(3-j)j,
+  /// ... Those of order below 2 and g_11 are 0.
   FT derivative(std::size_t i, std::size_t j) const
   {
     const std::size_t order = i + j;
@@ -108,8 +110,12 @@ public:
     return m_derivatives[order == 2 ? j / 2 : monge_offset(order) + j];
   }
 
-  /// Makes room for the coefficients of degree d', all zero.
-  void set_up(std::size_t degree) { m_derivatives.assign(number_of_monge_coefficients(degree), FT(0)); }
+  /// Makes room for the coefficients of degree d', all zero. \throw Invalid_input if it is above highest_degree
+  void set_up(std::size_t degree)
+  {
+    check_highest_degree("a Monge form", "d'", degree);
+    m_derivatives.assign(number_of_monge_coefficients(degree), FT(0));
+  }
 
   /// Turns the normal to the side of the given one (section 5.1.2): if given . n < 0, the basis becomes (d2, d1, -n),
   /// in which z = g(x, y) reads z = -g(y, x), so that every coefficient g_ij becomes -g_ji. Exact; doing it twice with

@@ -7,18 +7,20 @@
 #ifndef CGAL_JET_FITTING_3_MONGE_VIA_JET_FITTING_H
 #define CGAL_JET_FITTING_3_MONGE_VIA_JET_FITTING_H
 
-#include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Monge_estimate.h>
 #include <CGAL/Jet_fitting_3/Monge_form.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/estimation_with_normals.h>
+#include <CGAL/Jet_fitting_3/kernel_conversions.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/solvers/Jacobi_svd.h>
 #include <CGAL/Jet_fitting_3/solvers/Svd_traits_solver.h>
 
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -26,99 +28,7 @@
 
 namespace CGAL {
 namespace Jet_fitting {
-
-/// \ingroup PkgJetFitting3Steps
-/// True where every Data number is a Local number too: then coordinates are converted before they are subtracted.
-/// Otherwise (exact to double, say) the difference is taken first, while nothing has been rounded.
-template <class Data_number, class Local_number>
-constexpr bool converts_without_rounding()
-{
-  using Data = std::numeric_limits<Data_number>;
-  using Local = std::numeric_limits<Local_number>;
-  return Data::is_specialized && Local::is_specialized && !Data::is_exact && !Local::is_exact && Data::digits > 0 &&
-         Data::radix == Local::radix && Data::digits <= Local::digits && Data::max_exponent <= Local::max_exponent;
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// The samples relative to p. \throw Invalid_input naming the first sample that is not at a finite distance from p
-template <class D2L_converter, class FT, class Point_3, class ForwardIterator>
-Samples<FT> samples_relative_to(const Point_3& p, ForwardIterator begin, std::size_t size)
-{
-  using Data_number = std::decay_t<decltype(p.x())>;
-  const D2L_converter to_local{};
-  const auto difference = [&to_local](const Data_number& a, const Data_number& b) {
-    if constexpr (converts_without_rounding<Data_number, FT>()) return FT(to_local(a) - to_local(b));
-    else return FT(to_local(Data_number(a - b)));
-  };
-  Samples<FT> samples;
-  samples.resize(size);
-  for (std::size_t i = 0; i < size; ++i, ++begin) {
-    const Point_3& q = *begin;
-    const Vector_3<FT> r{difference(q.x(), p.x()), difference(q.y(), p.y()), difference(q.z(), p.z())};
-    if (!numeric::is_finite(FT(r.x + r.y + r.z)))
-      throw Invalid_input(
-          "sample " + std::to_string(i) + " of " + std::to_string(size) +
-          (i == 0 ? " has a coordinate that is not finite"
-                  : " is not at a finite distance from sample 0: a coordinate is not finite or too large"));
-    samples.set(i, r);
-  }
-  return samples;
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// \throw Invalid_input unless there are none, or one for each sample, all finite and not negative
-template <class FT>
-void set_point_weights(Samples<FT>& samples, const std::vector<double>& weights)
-{
-  if (weights.empty()) return;
-  const double factor = normalization_of_weights(weights, samples.size());
-  samples.make_weighted();
-  for (std::size_t i = 0; i < samples.size(); ++i) samples.set_weight(i, FT(factor * weights[i]));
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// Writes the result of an estimation relative to p into a form, whose storage is used again.
-template <class DataKernel, class FT, class L2D_converter>
-void assign(Monge_form<DataKernel>& form, const Estimation<FT>& e, const typename DataKernel::Point_3& p,
-            const L2D_converter& to_data)
-{
-  using DFT = typename DataKernel::FT;
-  using Point_3 = typename DataKernel::Point_3;
-  const auto vector = [&to_data](const Vector_3<FT>& v) {
-    return typename DataKernel::Vector_3(DFT(to_data(v.x)), DFT(to_data(v.y)), DFT(to_data(v.z)));
-  };
-  form.origin() = Point_3(DFT(p.x() + DFT(to_data(e.origin.x))), DFT(p.y() + DFT(to_data(e.origin.y))),
-                          DFT(p.z() + DFT(to_data(e.origin.z))));
-  form.maximal_principal_direction() = vector(e.monge_axes.x);
-  form.minimal_principal_direction() = vector(e.monge_axes.y);
-  form.normal_direction() = vector(e.monge_axes.z);
-  form.coefficients().resize(e.coefficients.size(), DFT(0));
-  for (std::size_t i = 0; i < e.coefficients.size(); ++i) form.coefficients()[i] = DFT(to_data(e.coefficients[i]));
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// A user's coordinate system as a basis for the fit, made orthonormal to rounding.
-/// \throw Invalid_input if it is not orthonormal and direct up to half the digits
-template <class FT>
-Basis_3<FT> checked_basis(const Vector_3<FT>& x, const Vector_3<FT>& y, const Vector_3<FT>& z)
-{
-  const Vector_3<FT> defect = cross(x, y) - z;
-  const FT errors[] = {dot(x, x) - FT(1), dot(y, y) - FT(1), dot(z, z) - FT(1),  dot(x, y),
-                       dot(y, z),         dot(z, x),         dot(defect, defect)};
-  FT error(0);
-  bool is_number = true;
-  for (const FT& e : errors) {
-    error = numeric::larger(error, numeric::absolute(e));
-    is_number = is_number && numeric::is_finite(e);
-  }
-  if (!is_number || error > numeric::square_root(FT(numeric::epsilon<FT>())))
-    throw Invalid_input("the basis given for the fit is not orthonormal and direct: its inner products are off by " +
-                        std::to_string(is_number ? double(error) : std::numeric_limits<double>::quiet_NaN()));
-  const Vector_3<FT> unit_z = FT(FT(1) / numeric::square_root(dot(z, z))) * z;
-  const Vector_3<FT> tangent = x - dot(x, unit_z) * unit_z;
-  const Vector_3<FT> unit_x = FT(FT(1) / numeric::square_root(dot(tangent, tangent))) * tangent;
-  return {unit_x, cross(unit_z, unit_x), unit_z};
-}
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Single
 /// Estimates the differential quantities of a sampled surface at a sample point by polynomial fitting: the stand-alone
@@ -136,9 +46,8 @@ template <class DataKernel, class LocalKernel, class KernelConverters, class Svd
 class Monge_via_jet_fitting
 {
 public:
-  /// @{
-  /// The template parameters, and types of theirs: DFT is a number of the data; FT, Point_3 and Vector_3 are those of the
-  /// LocalKernel.
+  /// @{ The template parameters, and types of theirs: DFT is a number of the data; FT, Point_3 and Vector_3 are those
+  /// of the LocalKernel.
   using Data_kernel = DataKernel;
   using Local_kernel = LocalKernel;
   using DFT = typename DataKernel::FT;
@@ -166,10 +75,11 @@ public:
   ///
   /// \param begin the first of the points, p
   /// \param end behind the last of them
-  /// \param d degree of the fitted jet, at least 1
+  /// \param d degree of the fitted jet, at least 1 and at most highest_degree
   /// \param dprime degree of the Monge form, 1 <= dprime <= d
   /// \param options weights, robust loss, standard errors; by default plain least squares
-  /// \pre N_d = (d+1)(d+2)/2 points or more, with finite coordinates. N_d points are interpolated, more are approximated.
+  /// \pre N_d = (d+1)(d+2)/2 points or more, with finite coordinates. N_d points are interpolated, more are
+  /// approximated.
   /// \throw Invalid_input if a precondition is broken
   ///
   /// The degrees d and N govern the error: a quantity of order k is accurate to O(h^(d-k+1)), h being the extent of the
@@ -203,6 +113,34 @@ public:
                     const Given_basis& basis, const Fit_options& options = default_options()) const
   {
     return with_form(estimation(begin, end, d, dprime, in_given(basis), options), begin);
+  }
+
+  /// The same from points with their normals, which are data as the points are: a fit to both (see fit_gauss_map())
+  /// needs fewer points, N_d / 3 or more, and has less noise, since a curvature is but one derivative away from a
+  /// normal. No PCA: pca_basis() has the basis of the fit, its z axis the normal of a fit of degree 2.
+  ///
+  /// \param begin the first of the points, p
+  /// \param end behind the last of them
+  /// \param normals where the normals begin, one for each point, of any positive length, consistently oriented. The
+  ///        form's normal is on their side: that of the normal of p and of all that do not oppose it
+  /// \param d degree of the fitted jet, at least 1
+  /// \param dprime degree of the Monge form, 1 <= dprime <= d
+  /// \param options weights, standard errors, noise; no robust loss. details().noise tells what has been estimated
+  /// \throw Invalid_input if a precondition is broken, also for a normal that is zero or not finite
+  template <class ForwardIterator, class Normal_iterator>
+  Estimate estimate(ForwardIterator begin, ForwardIterator end, Normal_iterator normals, std::size_t d,
+                    std::size_t dprime, const Fit_options& options = default_options()) const
+  {
+    const std::size_t size = std::size_t(std::distance(begin, end));
+    check_degrees(d, dprime);
+    check_number_of_oriented_samples(size, d);
+    check_options_for_normals(options);
+    const typename DataKernel::Point_3& p = *begin;
+    auto samples = samples_relative_to<D2L, Oriented_samples<FT>>(p, begin, size);
+    set_normals<D2L>(samples, normals);
+    set_point_weights(samples, options.point_weights);
+    typename Solver_of<SvdTraits>::type solver;
+    return with_form(Jet_fitting::estimate(samples, d, dprime, solver, options), begin);
   }
 
   /// Condition number of the last fit; see Monge_estimate. 0 before the first one.
@@ -239,20 +177,20 @@ private:
   }
 
   template <class ForwardIterator, class Make_fitting_basis>
-  static Estimation<FT> estimation(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
-                                   const Make_fitting_basis& make_fitting_basis, const Fit_options& options)
+  static Local_estimate<FT> estimation(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
+                                       const Make_fitting_basis& make_fitting_basis, const Fit_options& options)
   {
     const std::size_t size = std::size_t(std::distance(begin, end));
     check_degrees(d, dprime);
     check_number_of_samples(size, d);
     const typename DataKernel::Point_3& p = *begin;
-    Samples<FT> samples = samples_relative_to<D2L, FT>(p, begin, size);
+    auto samples = samples_relative_to<D2L, Samples<FT>>(p, begin, size);
     set_point_weights(samples, options.point_weights);
     typename Solver_of<SvdTraits>::type solver;
-    return Jet_fitting::estimate(std::move(samples), d, dprime, make_fitting_basis, solver, options);
+    return Jet_fitting::estimate(samples, d, dprime, make_fitting_basis, solver, options);
   }
 
-  static Monge_form form(const Estimation<FT>& e, const typename DataKernel::Point_3& p)
+  static Monge_form form(const Local_estimate<FT>& e, const typename DataKernel::Point_3& p)
   {
     Monge_form form;
     assign(form, e, p, L2D{});
@@ -261,7 +199,7 @@ private:
 
   /// The first sample is looked at here, once it is known that there is one.
   template <class ForwardIterator>
-  static Estimate with_form(Estimation<FT>&& e, const ForwardIterator& first)
+  static Estimate with_form(Local_estimate<FT>&& e, const ForwardIterator& first)
   {
     const typename DataKernel::Point_3 p = *first;
     const Monge_form monge_form = form(e, p);
@@ -269,15 +207,16 @@ private:
   }
 
   template <class ForwardIterator>
-  Monge_form report(Estimation<FT>&& e, const ForwardIterator& first)
+  Monge_form report(Local_estimate<FT>&& e, const ForwardIterator& first)
   {
     m_last = std::move(e);
     return form(m_last, *first);
   }
 
-  Estimation<FT> m_last;
+  Local_estimate<FT> m_last;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

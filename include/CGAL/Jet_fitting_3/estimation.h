@@ -7,26 +7,30 @@
 #ifndef CGAL_JET_FITTING_3_ESTIMATION_H
 #define CGAL_JET_FITTING_3_ESTIMATION_H
 
-#include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/noise/distance_weights.h>
 #include <CGAL/Jet_fitting_3/noise/robust_fitting.h>
 #include <CGAL/Jet_fitting_3/noise/standard_errors.h>
 #include <CGAL/Jet_fitting_3/numeric/condition_number.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
+#include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// Everything known about one fit. Lengths in the unit of the samples, positions relative to p.
 template <class FT>
-struct Estimation
+struct Local_estimate
 {
   Fitting_basis<FT> fitting;           ///< step 1, in world coordinates
   Jet_fit<FT> fit;                     ///< step 2, in the fitting basis; its solution in the unit of the computation
@@ -35,12 +39,14 @@ struct Estimation
   Monge_coefficients<FT> coefficients; ///< step 4
   FT residual_rms;                     ///< root of the weighted mean of the squared residuals
   Standard_errors<FT> standard_errors; ///< if asked for
+  std::vector<FT> residuals;           ///< if asked for: of each sample, along the z axis of the fitting basis
+  Data_noise<FT> noise{FT(0), FT(0)};  ///< of a fit to points with normals: that was given, or estimated
 
-  Estimation() = default;
+  Local_estimate() = default;
 
   /// Step 1, and step 2 as fit_jet() gives it.
   template <class Fit_jet>
-  Estimation(const Fitting_basis<FT>& basis, const Fit_jet& jet_fit) : fitting(basis), fit(jet_fit())
+  Local_estimate(const Fitting_basis<FT>& basis, const Fit_jet& jet_fit) : fitting(basis), fit(jet_fit())
   {}
 
   /// Numerical rank of the preconditioned system.
@@ -50,9 +56,8 @@ struct Estimation
   /// Computed here unless the solver has found it already.
   FT condition_number() const
   {
-    const auto& solution = fit.solution;
-    const bool is_known = solution.condition_number > FT(0) || solution.r.size() == 0;
-    return is_known ? solution.condition_number : numeric::condition_number(solution.r);
+    const auto& known = fit.solution.condition_number;
+    return known ? *known : numeric::condition_number(fit.solution.r);
   }
 };
 
@@ -82,29 +87,54 @@ Weight_sums<FT> weight_sums(const Samples<FT>& samples, const numeric::Buffer<FT
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// The four steps of section 2.1.3, for samples whose coordinates are at most 1 (see unit_of_length()).
-template <class FT, class Make_fitting_basis, class Solver>
-Estimation<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, std::size_t dprime,
-                                const Make_fitting_basis& make_fitting_basis, Solver& solver,
-                                const Fit_options& options)
+/// Steps 3 and 4, of the fit that is there.
+template <class FT>
+void set_monge_form(Local_estimate<FT>& e, std::size_t dprime)
 {
-  const Fitting_basis<FT> fitting = make_fitting_basis(samples);
-  const Basis_3<FT>& axes = fitting.axes;
-  Estimation<FT> e(fitting, [&] {
-    return options.loss == Loss::least_squares ? fit_jet(samples, axes, degree, solver)
-                                               : fit_jet_robustly(samples, axes, degree, options.loss, solver);
-  });
+  const Basis_3<FT>& axes = e.fitting.axes;
   const Monge_basis<FT> monge = monge_basis(e.fit.jet, axes);
   e.origin = e.fit.jet(0, 0) * axes.z;
   e.monge_axes = {axes.out(monge.axes.x), axes.out(monge.axes.y), axes.out(monge.axes.z)};
   e.coefficients = monge_coefficients(e.fit.jet, monge, dprime);
+}
 
+/// \ingroup PkgJetFitting3Steps
+/// How far each sample lies above the jet, along the z axis of the fitting basis; weights have no part in it.
+template <class FT>
+std::vector<FT> heights_above_jet(const Samples<FT>& samples, const Basis_3<FT>& axes, const Jet<FT>& jet)
+{
+  const Heights<FT> h = heights(samples, axes);
+  const auto along_u = factorials_over_powers(h.hu, jet.degree()), along_v = factorials_over_powers(h.hv, jet.degree());
+  numeric::Buffer<FT, 45> y; // the inverse of jet_of_solution()
+  y.resize(number_of_jet_coefficients(jet.degree()));
+  for (std::size_t k = 0, j = 0; k <= jet.degree(); ++k)
+    for (std::size_t i = 0; i <= k; ++i, ++j) y[j] = jet.part(k)[i] / (along_u[k - i] * along_v[i]);
+  const auto above = residuals(h, y, jet.degree());
+  return std::vector<FT>(above.begin(), above.end());
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// The four steps of section 2.1.3, for samples whose coordinates are at most 1 (see unit_of_length()).
+template <class FT, class Make_fitting_basis, class Solver>
+Local_estimate<FT> estimate_in_unit(const Samples<FT>& samples, std::size_t degree, std::size_t dprime,
+                                    const Make_fitting_basis& make_fitting_basis, Solver& solver,
+                                    const Fit_options& options)
+{
+  const Fitting_basis<FT> fitting = make_fitting_basis(samples);
+  const Basis_3<FT>& axes = fitting.axes;
+  Local_estimate<FT> e(fitting, [&] {
+    return options.loss == Loss::least_squares ? fit_jet(samples, axes, degree, solver)
+                                               : fit_jet_robustly(samples, axes, degree, options.loss, solver);
+  });
+  set_monge_form(e, dprime);
   const Weight_sums<FT> sums = weight_sums(samples, e.fit.robust_weights);
   e.residual_rms = numeric::square_root(FT(e.fit.solution.square_sum / sums.weights));
   if (options.standard_errors) {
+    if (options.loss != Loss::least_squares) e.fit.error_variance = error_variance(samples, axes, e.fit, options.loss);
     const FT freedom = sums.number_of_samples - FT(double(number_of_jet_coefficients(degree)));
     e.standard_errors = standard_errors(e.fit, axes, dprime, freedom);
   }
+  if (options.residuals) e.residuals = heights_above_jet(samples, axes, e.fit.jet);
   return e;
 }
 
@@ -121,7 +151,7 @@ void rescale(Monge_coefficients<FT>& coefficients, const FT& inverse)
 /// \ingroup PkgJetFitting3Steps
 /// Measures lengths in a unit `factor` times smaller. For a power of two, exact.
 template <class FT>
-void measure_in_smaller_unit(Estimation<FT>& e, const FT& factor)
+void measure_in_smaller_unit(Local_estimate<FT>& e, const FT& factor)
 {
   const FT inverse = FT(1) / factor;
   for (FT& variance : e.fitting.variances) variance = numeric::multiplied(variance, factor, 2);
@@ -131,29 +161,32 @@ void measure_in_smaller_unit(Estimation<FT>& e, const FT& factor)
   rescale(e.coefficients, inverse);
   rescale(e.standard_errors.coefficients, inverse);
   e.residual_rms = factor * e.residual_rms;
+  for (FT& residual : e.residuals) residual = factor * residual;
+  e.noise.position = factor * e.noise.position;
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// The four steps on samples relative to p, which end up in another unit of length and with other weights.
-/// 1 <= dprime <= degree and samples.size() >= N_degree are the caller's business, as are options.point_weights.
-/// \param samples relative to p, in any unit of length
+/// The four steps. Preconditions, not checked: 1 <= dprime <= degree, samples.size() >= N_degree. options.point_weights
+/// are not looked at.
+/// \param samples relative to p, in any unit of length; they are scaled and weighted in place
 /// \param degree d
 /// \param dprime d'
 /// \param make_fitting_basis makes the fitting basis from samples
 /// \param solver a model of StepSolver
 /// \param options weights by distance, robust loss, standard errors
 template <class FT, class Make_fitting_basis, class Solver>
-Estimation<FT> estimate(Samples<FT>&& samples, std::size_t degree, std::size_t dprime,
-                        const Make_fitting_basis& make_fitting_basis, Solver& solver, const Fit_options& options)
+Local_estimate<FT> estimate(Samples<FT>& samples, std::size_t degree, std::size_t dprime,
+                            const Make_fitting_basis& make_fitting_basis, Solver& solver, const Fit_options& options)
 {
   const FT unit = unit_of_length(samples);
   samples.scale(numeric::inverse_of_power_of_two(unit));
   if (options.weights_by_distance()) weight_by_distance(samples, options);
-  Estimation<FT> e = estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options);
+  Local_estimate<FT> e = estimate_in_unit(samples, degree, dprime, make_fitting_basis, solver, options);
   measure_in_smaller_unit(e, unit);
   return e;
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Quantities
-/// A number of a form as a double. Exact numbers, which have no conversion, bring a function to_double().
+/// A number of a form as a double. Exact numbers, which have no conversion, have a function to_double(), found by ADL.
 template <class FT>
 double as_double(const FT& x)
 {
@@ -114,17 +114,17 @@ struct Curvedness
 /// \addtogroup PkgJetFitting3Quantities
 /// @{
 
-/// The function object of this type.
+/// k1 of a form.
 inline constexpr Maximal_curvature maximal_curvature{};
-/// The function object of this type.
+/// k2 of a form.
 inline constexpr Minimal_curvature minimal_curvature{};
-/// The function object of this type.
+/// H of a form.
 inline constexpr Mean_curvature mean_curvature{};
-/// The function object of this type.
+/// K of a form.
 inline constexpr Gaussian_curvature gaussian_curvature{};
-/// The function object of this type.
+/// The shape index of a form.
 inline constexpr Shape_index shape_index{};
-/// The function object of this type.
+/// The curvedness of a form.
 inline constexpr Curvedness curvedness{};
 
 /// @}

@@ -12,7 +12,8 @@
 // numbers     relative to the largest number of the line; lines that tell a time or memory are compared as text only
 // normals     lines "x y z nx ny nz", n up to its sign
 // directions  lines of Mesh_estimation: point, origin, d1, d2 (both scaled), k1, k2; the mesh fixes the sign of the normal
-// form        the output of Single_estimation: a Monge form, the condition number (not compared: its scaling is ours), PCA
+// form        the output of Single_estimation: a Monge form, the condition number (not compared: its scaling is ours,
+//             and of a singular matrix ours is infinite, CGAL's 1e17), PCA
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -44,7 +45,7 @@ bool starts_number(const std::string& line, std::size_t i)
   std::size_t j = i;
   if (at(j) == '-' || at(j) == '+') ++j;
   if (at(j) == '.') ++j;
-  return std::isdigit(at(j)) != 0;
+  return std::isdigit(at(j)) != 0 || (line.compare(j, 3, "inf") == 0 && !std::isalnum(at(j + 3)));
 }
 
 Line parse(const std::string& line)

@@ -103,8 +103,8 @@ void demand_packs(const std::vector<Vector>& points, std::size_t d)
                              points[i].z() - points[0].z()};
     if (!std::isfinite(r.x + r.y + r.z)) return;
     numbers.set(i, r);
-    packs.set_lane(i, 0, r.x, r.y, r.z);
-    packs.set_lane(i, 1, r.x / 8, r.y / 8, r.z / 8);
+    packs.set_lane(i, 0, r);
+    packs.set_lane(i, 1, 0.125 * r);
   }
   Abstaining_solver<Pack> pack_solver;
   Orthogonal_solver<double> solver;
@@ -113,8 +113,8 @@ void demand_packs(const std::vector<Vector>& points, std::size_t d)
     const FT one(1), zero(0);
     return fitting_basis(samples, Basis_3<FT>{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}});
   };
-  const auto p = CGAL::Jet_fitting::estimate(std::move(packs), d, d, in_world, pack_solver, {});
-  const auto e = CGAL::Jet_fitting::estimate(std::move(numbers), d, d, in_world, solver, {});
+  const auto p = CGAL::Jet_fitting::estimate(packs, d, d, in_world, pack_solver, {});
+  const auto e = CGAL::Jet_fitting::estimate(numbers, d, d, in_world, solver, {});
   if (!p.fit.solution.trusted[0] || !p.fit.solution.trusted[1] || e.rank() < number_of_jet_coefficients(d)) return;
   double largest = 0, difference = 0;
   for (std::size_t j = 0; j < e.fit.solution.y.size(); ++j) {

@@ -4,13 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer harness for what the example program Mesh_estimation reads: files of every format, and the command line.
+// libFuzzer harness for what the program Mesh_estimation reads: files of every format, and the command line.
 // A file or a command line is taken, or refused by an Input_error or a Usage_error.
 
 #include "fuzz.h"
 
-#include "../../../examples/Jet_fitting_3/tool/parse.h"
-#include "../../../examples/Jet_fitting_3/tool/read_input.h"
+#include "../../../demo/Jet_fitting_3/tool/parse.h"
+#include "../../../demo/Jet_fitting_3/tool/read_input.h"
 
 #include <unistd.h>
 
@@ -40,7 +40,7 @@ void read_file(const std::string& format, const std::string& content)
   const std::string file = (folder / ("jet_fitting_3_fuzz_" + std::to_string(getpid()) + "." + format)).string();
   std::ofstream(file, std::ios::binary) << content;
   try {
-    const tool::Mesh mesh = tool::read_input(file);
+    const tool::Mesh mesh = tool::read_input(file).mesh;
     CGAL_FUZZ_DEMAND(mesh.number_of_vertices() > 0);
   } catch (const tool::Input_error&) {}
   std::filesystem::remove(file);

@@ -18,13 +18,13 @@ namespace Jet_fitting {
 /// compare_vertex_neighborhoods() and compare_point_neighborhoods() make.
 ///
 /// How to read a table. As neighborhoods grow, the errors fall, for there is more to average; and `noise`, an estimate
-/// of one and the same thing, stays as it is. When it begins to grow, the surface is no longer a jet of that degree:
-/// bias takes over, of which the errors know nothing. `k_change` says how much of it is in k: noise alone makes it about
-/// as large as `k_error` in the row of the next even degree, and what is above that is bias. The best row is near the
-/// one where bias becomes visible.
+/// of the same quantity, stays as it is. When it begins to grow, the surface is no longer a jet of that degree: bias
+/// takes over, of which the errors know nothing. `k_change` says how much of it is in k: noise alone makes it about as
+/// large as `k_error` in the row of the next even degree, and what is above that is bias. The best row is near the one
+/// where bias becomes visible.
 struct Neighborhood_quality
 {
-  std::size_t neighborhood; ///< its place in the list that was given
+  std::size_t neighborhood; ///< its index in the list that was given
   std::size_t degree;       ///< d
   std::size_t fits;         ///< number of vertices or points that the medians are over
   double number_of_points;  ///< in a neighborhood

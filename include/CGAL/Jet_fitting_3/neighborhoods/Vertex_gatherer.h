@@ -10,15 +10,17 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Mesh_gatherer.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Neighborhoods
 /// Gathers neighborhoods of single vertices: what estimate_vertex_monge_forms() does for all.
@@ -29,7 +31,7 @@ namespace Jet_fitting {
 template <class Mesh, class NamedParameters = parameters::Default_named_parameters>
 class Vertex_gatherer
 {
-  using Setting = internal::Mesh_setting<Mesh, NamedParameters>;
+  using Tables = internal::Mesh_tables<Mesh, NamedParameters>;
 
 public:
   /// A vertex of the mesh.
@@ -39,8 +41,7 @@ public:
   /// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
   ///        estimate_vertex_monge_forms()
   explicit Vertex_gatherer(const Mesh& mesh, const NamedParameters& np = parameters::default_values())
-    : m_setting(mesh, np), m_compact(m_setting.compact(np)), m_normals(m_setting.normals(np)),
-      m_growth(m_compact, m_setting.points(), m_normals)
+    : m_tables(internal::mesh_tables(mesh, np)), m_gatherer(m_tables.adjacency, m_tables.points, m_tables.normals)
   {}
 
   Vertex_gatherer(const Vertex_gatherer&) = delete;
@@ -54,22 +55,21 @@ public:
   template <class Neighborhood>
   void operator()(const Neighborhood& neighborhood, vertex_descriptor v, std::vector<vertex_descriptor>& vertices)
   {
-    const internal::Index seed = m_setting.index(v);
+    const internal::Index seed = m_tables.index(v);
     if (seed == internal::no_index) throw Invalid_input("the vertex does not belong to the mesh");
     m_row.clear();
-    neighborhood(m_growth, seed, m_row);
+    neighborhood(m_gatherer, seed, m_row);
     vertices.clear();
-    for (const internal::Index i : m_row) vertices.push_back(m_setting.item(i));
+    for (const internal::Index i : m_row) vertices.push_back(m_tables.item(i));
   }
 
 private:
-  Setting m_setting;
-  internal::Compact_mesh m_compact;
-  internal::Normal_table m_normals;
-  internal::Mesh_growth<typename Setting::Kernel> m_growth;
+  Tables m_tables;
+  internal::Mesh_gatherer<typename Tables::Kernel> m_gatherer;
   std::vector<internal::Index> m_row;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -9,21 +9,28 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/Fit_options.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_growth.h>
-#include <CGAL/Jet_fitting_3/internal/Mesh_setting.h>
-#include <CGAL/Jet_fitting_3/internal/Point_search.h>
-#include <CGAL/Jet_fitting_3/internal/Point_setting.h>
-#include <CGAL/Jet_fitting_3/internal/neighborhood_table.h>
+#include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Sample_forms.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/gather_samples.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Mesh_gatherer.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Sample_gatherer.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_set_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/read_point_weights.h>
+#include <CGAL/Jet_fitting_3/neighborhoods/internal/neighborhood_table.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/Neighborhood_quality.h>
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Neighborhoods
 /// Help with the choice of neighborhood and degree, which decides more than anything else about the result: residual,
@@ -34,30 +41,41 @@ namespace Jet_fitting {
 /// \param sample vertices of the mesh: one, or some hundreds from all over it
 /// \param neighborhoods such as `{k_rings(2), k_rings(3), k_rings(4)}`; all of one type
 /// \param degrees such as `{2, 3, 4}`
+/// \param np vertex_point_map, vertex_index_map, vertex_normal_map, point_weight_map, edge_is_constrained_map,
+///        geom_traits, as for estimate_vertex_monge_forms()
 /// \param options weights and robust loss
-/// \param np vertex_point_map, vertex_index_map, vertex_normal_map, edge_is_constrained_map, geom_traits, as for
-///        estimate_vertex_monge_forms()
 /// \return a row for each neighborhood and degree, the degree running faster
 /// \throw Invalid_input if a degree is 0, a vertex does not belong to the mesh, or a weight is negative or not finite
 ///
 /// Linear in the size of the mesh, and in the number of fits.
-template <class Mesh, class VertexRange, class Neighborhood,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class Mesh, class VertexRange, class Neighborhood, class T, class Tag, class Base>
 std::vector<Neighborhood_quality>
 compare_vertex_neighborhoods(const Mesh& mesh, const VertexRange& sample,
                              const std::vector<Neighborhood>& neighborhoods, const std::vector<std::size_t>& degrees,
-                             const Fit_options& options = {}, const NamedParameters& np = parameters::default_values())
+                             const Named_function_parameters<T, Tag, Base>& np, const Fit_options& options = {})
 {
-  using Setting = internal::Mesh_setting<Mesh, NamedParameters>;
-  const Setting setting(mesh, np);
-  const internal::Compact_mesh compact = setting.compact(np);
-  const internal::Normal_table normals = setting.normals(np);
-  internal::Mesh_growth<typename Setting::Kernel> growth(compact, setting.points(), normals);
-  std::vector<internal::Index> seeds;
-  for (const auto& v : sample) seeds.push_back(setting.index(v));
-  return internal::neighborhood_table(setting, seeds, neighborhoods, degrees, options,
-                                      [&](const Neighborhood& neighborhood, internal::Index seed,
-                                          std::vector<internal::Index>& row) { neighborhood(growth, seed, row); });
+  using namespace internal;
+  const auto tables = mesh_tables(mesh, np);
+  Fit_options with_weights = options;
+  with_weights.point_weights = read_point_weights(np, make_range(vertices(mesh)), tables.size(), options.point_weights);
+  Mesh_gatherer<typename decltype(tables)::Kernel> gatherer(tables.adjacency, tables.points, tables.normals);
+  std::vector<Index> seeds;
+  for (const auto& v : sample) seeds.push_back(tables.index(v));
+  const auto gather = [&](const Neighborhood& neighborhood, Index seed, std::vector<Index>& row) {
+    neighborhood(gatherer, seed, row);
+  };
+  return neighborhood_table(tables, seeds, neighborhoods, degrees, with_weights, gather);
+}
+
+/// \ingroup PkgJetFitting3Neighborhoods
+/// The same without named parameters.
+template <class Mesh, class VertexRange, class Neighborhood>
+std::vector<Neighborhood_quality> compare_vertex_neighborhoods(const Mesh& mesh, const VertexRange& sample,
+                                                               const std::vector<Neighborhood>& neighborhoods,
+                                                               const std::vector<std::size_t>& degrees,
+                                                               const Fit_options& options = {})
+{
+  return compare_vertex_neighborhoods(mesh, sample, neighborhoods, degrees, parameters::default_values(), options);
 }
 
 /// \ingroup PkgJetFitting3Neighborhoods
@@ -67,27 +85,53 @@ compare_vertex_neighborhoods(const Mesh& mesh, const VertexRange& sample,
 /// \param sample numbers of points in the range
 /// \param neighborhoods such as `{nearest(20), nearest(40)}`; all of one type
 /// \param degrees such as `{2, 3, 4}`
+/// \param np point_map, normal_map, point_weight_map, geom_traits, as for estimate_point_monge_forms()
 /// \param options weights and robust loss
-/// \param np point_map, normal_map, geom_traits, as for estimate_point_monge_forms()
 /// \return a row for each neighborhood and degree, the degree running faster
 /// \throw Invalid_input if a degree is 0, a number is not that of a point, or a weight is negative or not finite
-template <class PointRange, class NumberRange, class Neighborhood,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class PointRange, class NumberRange, class Neighborhood, class T, class Tag, class Base>
 std::vector<Neighborhood_quality>
 compare_point_neighborhoods(const PointRange& points, const NumberRange& sample,
                             const std::vector<Neighborhood>& neighborhoods, const std::vector<std::size_t>& degrees,
-                            const Fit_options& options = {}, const NamedParameters& np = parameters::default_values())
+                            const Named_function_parameters<T, Tag, Base>& np, const Fit_options& options = {})
 {
-  using Setting = internal::Point_setting<PointRange, NamedParameters>;
-  const Setting setting(points, np);
-  const internal::Point_search<typename Setting::Kernel> search(setting.points(), setting.normals());
-  std::vector<internal::Index> seeds;
-  for (const auto& i : sample) seeds.push_back(setting.index(static_cast<std::size_t>(i)));
-  return internal::neighborhood_table(setting, seeds, neighborhoods, degrees, options,
-                                      [&](const Neighborhood& neighborhood, internal::Index seed,
-                                          std::vector<internal::Index>& row) { neighborhood(search, seed, row); });
+  using namespace internal;
+  using Kernel = Kernel_of_range<PointRange, Named_function_parameters<T, Tag, Base>>;
+  Point_set_tables<Kernel> read = point_set_tables(points, np);
+  const std::size_t size = read.size();
+  const std::vector<double> weights = read_point_weights(np, points, size, options.point_weights);
+  const Sample_tables<Kernel> tables(Sequential_tag(), std::move(read.points), read.normals);
+  Fit_options of_samples = options;
+  of_samples.point_weights = weights_of_samples(tables.samples, weights);
+  const std::vector<Index> sample_of = samples_of_points(tables.samples, size);
+  std::vector<Index> seeds;
+  for (const auto& i : sample) {
+    const auto number = static_cast<std::size_t>(i);
+    if (number >= size) seeds.push_back(no_index);
+    else if (sample_of[number] != no_index) seeds.push_back(sample_of[number]);
+  }
+  Sample_gatherer<Kernel> gatherer(tables);
+  Neighborhood_block rows;
+  const auto gather = [&](const Neighborhood& neighborhood, Index seed, std::vector<Index>& row) {
+    rows.clear();
+    neighborhood(gatherer, Seeds{seed, seed + 1}, rows);
+    row.insert(row.end(), rows[0].first, rows[0].last);
+  };
+  return neighborhood_table(tables, seeds, neighborhoods, degrees, of_samples, gather);
 }
 
+/// \ingroup PkgJetFitting3Neighborhoods
+/// The same without named parameters.
+template <class PointRange, class NumberRange, class Neighborhood>
+std::vector<Neighborhood_quality> compare_point_neighborhoods(const PointRange& points, const NumberRange& sample,
+                                                              const std::vector<Neighborhood>& neighborhoods,
+                                                              const std::vector<std::size_t>& degrees,
+                                                              const Fit_options& options = {})
+{
+  return compare_point_neighborhoods(points, sample, neighborhoods, degrees, parameters::default_values(), options);
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -28,7 +28,7 @@ public:
     if (k < 1) throw Invalid_input("k_rings(k) needs k >= 1: got " + std::to_string(k));
   }
 
-  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
+  /// Internal: calls the gatherer's function of this name.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
       -> decltype(gatherer.k_rings(seed, std::size_t(), output))

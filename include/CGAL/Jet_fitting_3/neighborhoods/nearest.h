@@ -28,7 +28,7 @@ public:
     if (k < 1) throw Invalid_input("nearest(k) needs k >= 1: got " + std::to_string(k));
   }
 
-  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
+  /// Internal: calls the gatherer's function of this name.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
       -> decltype(gatherer.nearest(seed, std::size_t(), output))
@@ -43,7 +43,8 @@ private:
 /// \ingroup PkgJetFitting3Neighborhoods
 /// The k points at the smallest Euclidean distance, the point itself among them; fewer where there are no more.
 ///
-/// Of a point set: points at the same place count as one, so that duplicates do no harm.
+/// Of a point set: points at the same position count as one, so that duplicates do no harm; as one for each side where
+/// their normals are opposite.
 /// On a mesh: the k vertices first reached by growing over the edges, always to the closest vertex next to what has
 /// been reached. The neighborhood is connected, hence does not jump to another sheet of the surface.
 /// Points whose normal makes more than 84 degrees with the normal here (on a mesh: the mean normal here and at the

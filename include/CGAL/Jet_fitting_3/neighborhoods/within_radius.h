@@ -27,7 +27,7 @@ public:
     if (!(radius > 0)) throw Invalid_input("within_radius(r) needs r > 0: got " + std::to_string(radius));
   }
 
-  /// Has the gatherer append the neighborhood of the seed: the package's own interface, not that of Neighborhood.
+  /// Internal: calls the gatherer's function of this name.
   template <class Gatherer, class Index, class Output>
   auto operator()(Gatherer& gatherer, Index seed, Output& output) const
       -> decltype(gatherer.within_radius(seed, double(), output))
@@ -42,7 +42,8 @@ private:
 /// \ingroup PkgJetFitting3Neighborhoods
 /// The points in the closed ball of this radius around the point, itself among them.
 ///
-/// Of a point set: points at the same place count as one, so that duplicates do no harm.
+/// Of a point set: points at the same position count as one, so that duplicates do no harm; as one for each side where
+/// their normals are opposite.
 /// On a mesh: the vertices that are connected with the vertex by edges within the ball; the other side of a thin sheet
 /// stays out.
 /// Points whose normal makes more than 84 degrees with the normal here (on a mesh: the mean normal here and at the

@@ -7,8 +7,9 @@
 #ifndef CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
 #define CGAL_JET_FITTING_3_NOISE_DISTANCE_WEIGHTS_H
 
-#include <CGAL/Jet_fitting_3/Fit_options.h>
+#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
@@ -18,6 +19,7 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// The weight at distance t from p, 0 <= t <= 1, as Fit_options says.
@@ -66,6 +68,7 @@ void weight_by_distance(Samples<FT>& samples, const Fit_options& options)
   }
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

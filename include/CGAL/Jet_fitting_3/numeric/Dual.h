@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_DUAL_H
 #define CGAL_JET_FITTING_3_NUMERIC_DUAL_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <type_traits>
@@ -14,6 +15,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// A number with its derivative in one direction: the steps, run on Dual numbers, differentiate themselves.
 /// Comparisons and choices follow the value.
@@ -66,6 +68,7 @@ Dual<FT> select_lanes(const Mask& mask, const Dual<FT>& if_true, const Dual<FT>&
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.tangent, if_false.tangent)};
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

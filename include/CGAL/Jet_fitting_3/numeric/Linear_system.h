@@ -9,15 +9,18 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Row_block.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The least squares system M Y = Z, one column of M after the other, then Z. Rows are padded to whole blocks by rows of
-/// zeros, which change no solution. Storage is kept from one system to the next.
+/// The least squares system M Y = Z, one column of M after the other, then Z. Rows are padded to whole blocks by rows
+/// of zeros, which change no solution. Storage is kept from one system to the next.
 template <class FT>
 class Linear_system
 {
@@ -71,16 +74,15 @@ private:
 template <class FT>
 struct Least_squares_solution
 {
-  using Mask = decltype(FT(0) < FT(0));
-
   Buffer<FT, 45> y;
-  FT square_sum;                ///< of the residuals Z - M Y
-  Mask trusted = FT(0) < FT(1); ///< false in lanes where M may be rank deficient: another method has to decide
-  std::size_t rank = 0;         ///< numerical rank of M
-  FT condition_number = FT(0);  ///< of M; 0 if it has not been computed: then R has that of M
-  Upper_triangle<FT> r;         ///< of M = QR; of size 0 if the condition number has been computed
+  FT square_sum;                       ///< of the residuals Z - M Y
+  Mask_of<FT> trusted = FT(0) < FT(1); ///< false in lanes where M may be rank deficient: another method has to decide
+  std::size_t rank = 0;                ///< numerical rank of M
+  Upper_triangle<FT> r;                ///< of M = QR
+  std::optional<FT> condition_number;  ///< of M, if the solver has found it on the way; otherwise R has it
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_PACK_H
 #define CGAL_JET_FITTING_3_NUMERIC_PACK_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cmath>
@@ -15,27 +16,25 @@
 #include <limits>
 #include <type_traits>
 
-#if defined(__SSE2__)
+// Packs of GNU's vector extensions, or else of arrays; the latter can be asked for, to try them with GNU's compilers.
+#if defined(__GNUC__) && !defined(CGAL_JET_FITTING_3_NO_VECTOR_EXTENSIONS)
+#define CGAL_JET_FITTING_3_VECTOR_EXTENSIONS
+#endif
+
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS) && defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Lanes of T that the target's widest register holds; 1 where it has none that we know of.
 template <class T>
 constexpr int native_lanes()
 {
-#if defined(__AVX512F__)
-  constexpr int bytes = 64;
-#elif defined(__AVX__)
-  constexpr int bytes = 32;
-#elif defined(__SSE2__) || defined(__ARM_NEON)
-  constexpr int bytes = 16;
-#else
-  constexpr int bytes = 0;
-#endif
+  constexpr int bytes = CGAL_JET_FITTING_3_REGISTER_BYTES;
   const bool is_hardware_type = std::is_same<T, double>::value || std::is_same<T, float>::value;
   return is_hardware_type && bytes > 0 ? bytes / int(sizeof(T)) : 1;
 }
@@ -44,7 +43,7 @@ constexpr int native_lanes()
 template <class T, int lanes>
 struct Register_of
 {
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   using type __attribute__((vector_size(lanes * sizeof(T)))) = T;
 #else
   struct type
@@ -73,7 +72,7 @@ public:
   Pack(Number number) // implicit, as from double to a number type
   {
     const T value = static_cast<T>(number);
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
     m = value - Register{};
 #else
     for (int i = 0; i < lanes; ++i) m[i] = value;
@@ -92,7 +91,7 @@ public:
   }
   void store(T* p) const { std::memcpy(p, &m, sizeof(Register)); }
 
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   friend Pack operator+(Pack a, Pack b) { return Pack(a.m + b.m); }
   friend Pack operator-(Pack a, Pack b) { return Pack(a.m - b.m); }
   friend Pack operator*(Pack a, Pack b) { return Pack(a.m * b.m); }
@@ -120,7 +119,7 @@ public:
   }
   friend Pack operator-(Pack a)
   {
-    return Pack(T(0)).apply(a, [](T s, T t) { return s - t; });
+    return a.apply(a, [](T s, T) { return -s; }); // not 0 - s, which loses the sign of 0
   }
   friend auto operator<(const Pack& a, const Pack& b)
   {
@@ -137,7 +136,7 @@ public:
 #endif
 
 private:
-#if !defined(__GNUC__)
+#if !defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   template <class F>
   Pack& apply(const Pack& b, F f)
   {
@@ -196,14 +195,16 @@ private:
 template <class T, int lanes>
 bool any(const Pack_mask<T, lanes>& mask)
 {
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS) && defined(__SSE2__)
   const auto bits = mask.native();
-  if constexpr (sizeof(bits) == 16) return _mm_movemask_epi8((__m128i)bits) != 0;
+  if constexpr (sizeof(bits) == 16) return _mm_movemask_epi8(reinterpret_cast<__m128i>(bits)) != 0;
 #if defined(__AVX__)
-  if constexpr (sizeof(bits) == 32) return !_mm256_testz_si256((__m256i)bits, (__m256i)bits);
+  if constexpr (sizeof(bits) == 32)
+    return !_mm256_testz_si256(reinterpret_cast<__m256i>(bits), reinterpret_cast<__m256i>(bits));
 #endif
 #if defined(__AVX512F__)
-  if constexpr (sizeof(bits) == 64) return _mm512_test_epi64_mask((__m512i)bits, (__m512i)bits) != 0;
+  if constexpr (sizeof(bits) == 64)
+    return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(bits), reinterpret_cast<__m512i>(bits)) != 0;
 #endif
 #endif
   bool result = false;
@@ -221,7 +222,7 @@ template <class T, int lanes>
 Pack<T, lanes> select_lanes(const Pack_mask<T, lanes>& mask, const Pack<T, lanes>& if_true,
                             const Pack<T, lanes>& if_false)
 {
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   return Pack<T, lanes>(mask.native() ? if_true.native() : if_false.native());
 #else
   Pack<T, lanes> result = if_false;
@@ -234,12 +235,15 @@ Pack<T, lanes> select_lanes(const Pack_mask<T, lanes>& mask, const Pack<T, lanes
 template <class T, int lanes>
 Pack<T, lanes> abs(const Pack<T, lanes>& x)
 {
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   using Bits = typename Pack_mask<T, lanes>::Register;
-  const Bits sign = (Bits)Pack<T, lanes>(-0.0).native();
-  return Pack<T, lanes>((typename Pack<T, lanes>::Register)((Bits)x.native() & ~sign));
+  const Bits sign = reinterpret_cast<Bits>(Pack<T, lanes>(-0.0).native());
+  return Pack<T, lanes>(
+      reinterpret_cast<typename Pack<T, lanes>::Register>(reinterpret_cast<Bits>(x.native()) & ~sign));
 #else
-  return select(x < Pack<T, lanes>(T(0)), -x, x);
+  Pack<T, lanes> result = x;
+  for (int i = 0; i < lanes; ++i) result.set(i, std::abs(x[i]));
+  return result;
 #endif
 }
 
@@ -252,15 +256,15 @@ Pack<T, lanes> sqrt(const Pack<T, lanes>& x)
 }
 
 // compilers do not make one instruction of the loop above, since std::sqrt may set errno
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS) && defined(__SSE2__)
 inline Pack<double, 2> sqrt(const Pack<double, 2>& x) { return Pack<double, 2>(_mm_sqrt_pd(x.native())); }
 inline Pack<float, 4> sqrt(const Pack<float, 4>& x) { return Pack<float, 4>(_mm_sqrt_ps(x.native())); }
 #endif
-#if defined(__GNUC__) && defined(__AVX__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS) && defined(__AVX__)
 inline Pack<double, 4> sqrt(const Pack<double, 4>& x) { return Pack<double, 4>(_mm256_sqrt_pd(x.native())); }
 inline Pack<float, 8> sqrt(const Pack<float, 8>& x) { return Pack<float, 8>(_mm256_sqrt_ps(x.native())); }
 #endif
-#if defined(__GNUC__) && defined(__AVX512F__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS) && defined(__AVX512F__)
 // With a mask of all lanes: g++ 12 warns of an uninitialized variable in its own functions without masks.
 inline Pack<double, 8> sqrt(const Pack<double, 8>& x)
 {
@@ -300,18 +304,19 @@ struct Lanes<Pack<T, lanes>>
 template <class T, int lanes>
 Pack<T, lanes> power_of_two_above_lanes(const Pack<T, lanes>& x)
 {
-#if defined(__GNUC__)
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   // as for one double: the next exponent, read from the bits
   if constexpr (std::is_same<T, double>::value && std::numeric_limits<double>::is_iec559)
     if (all((x > Pack<T, lanes>(0x1p-1000)) & (x < Pack<T, lanes>(0x1p1000)))) {
       using Bits = typename Pack_mask<T, lanes>::Register;
-      const Bits bits = ((Bits)x.native() & 0x7ff0000000000000) + 0x0010000000000000;
-      return Pack<T, lanes>((typename Pack<T, lanes>::Register)bits);
+      const Bits bits = (reinterpret_cast<Bits>(x.native()) & 0x7ff0000000000000) + 0x0010000000000000;
+      return Pack<T, lanes>(reinterpret_cast<typename Pack<T, lanes>::Register>(bits));
     }
 #endif
   return by_lane(x, [](const T& number) { return power_of_two_above(number); });
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

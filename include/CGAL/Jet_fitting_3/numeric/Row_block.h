@@ -9,12 +9,14 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Pack.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Consecutive rows of a column that are computed together: one for most number types; a register full of them for
 /// float and double.
@@ -54,6 +56,7 @@ constexpr std::size_t padded_to_blocks(std::size_t rows)
   return (rows + Row_block<FT>::size - 1) / Row_block<FT>::size * Row_block<FT>::size;
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

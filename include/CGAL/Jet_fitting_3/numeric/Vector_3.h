@@ -7,8 +7,11 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_VECTOR_3_H
 #define CGAL_JET_FITTING_3_NUMERIC_VECTOR_3_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// Three coordinates in whichever orthonormal basis the context names.
@@ -36,6 +39,7 @@ struct Vector_3
   /// @}
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

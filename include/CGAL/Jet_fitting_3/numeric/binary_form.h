@@ -8,18 +8,20 @@
 #define CGAL_JET_FITTING_3_NUMERIC_BINARY_FORM_H
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cstddef>
 
 /// \file
-/// Homogeneous polynomials in x and y of order k, in two dresses, both as arrays of k + 1 entries:
+/// Homogeneous polynomials in x and y of order k, in two representations, both as arrays of k + 1 entries:
 /// as a symmetric k-linear form by its derivatives f_k0, f_k-1,1, ..., f_0k, and
 /// as a polynomial by its Taylor coefficients f_ij / (i! j!).
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// The symmetric form of order k with one argument fixed to (x, y): a form of order k - 1. `lower` may be `form`.
 template <class FT>
@@ -55,6 +57,7 @@ void differentiate(const FT& x, const FT& y, std::size_t k, FT* polynomial)
     polynomial[i] = FT(double(k - i)) * x * polynomial[i] + FT(double(i + 1)) * y * polynomial[i + 1];
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

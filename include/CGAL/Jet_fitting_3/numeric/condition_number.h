@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_NUMERIC_CONDITION_NUMBER_H
 
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
 #include <limits>
@@ -15,6 +16,7 @@
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// The squares of the diagonal and of the upper diagonal of a bidiagonal matrix.
 template <class FT>
@@ -23,8 +25,8 @@ struct Bidiagonal_squares
   Buffer<FT, 15> diagonal, upper;
 };
 
-/// Subtracts from `count` vectors y, which start `next` apart, `factor` (x . y) x. Entries are `step` apart. Several vectors
-/// at a time, so that their sums do not wait for each other.
+/// Subtracts from `count` vectors y, which start `next` apart, `factor` (x . y) x. Entries are `step` apart. Several
+/// vectors at a time, so that their sums do not wait for each other.
 template <std::size_t count, class FT>
 void reflect_vectors(const FT* x, const FT& factor, std::size_t step, std::size_t size, std::size_t next, FT* y)
 {
@@ -73,17 +75,15 @@ Bidiagonal_squares<FT> bidiagonal_squares(std::size_t n, FT* a)
   return squares;
 }
 
-/// Laguerre's iteration for an extreme eigenvalue of B^T B, which is the root of the characteristic polynomial p next to
-/// where it starts. From 0, or from the trace, it approaches the root monotonically and cubically. The pivots of
+/// Laguerre's iteration for an extreme eigenvalue of B^T B, which is the root of the characteristic polynomial p next
+/// to where it starts. From 0, or from the trace, it approaches the root monotonically and cubically. The pivots of
 /// B^T B - lambda come from the stationary qd recurrence, which keeps the relative accuracy of small eigenvalues.
 template <class FT>
 class Eigenvalue_search
 {
-  using Mask = decltype(FT(0) < FT(0));
-
 public:
   /// \param side 1 for the smallest eigenvalue, when all pivots are positive; -1 for the largest, when none is
-  Eigenvalue_search(const FT& start, int side) : m_lambda(start), m_side(side) {}
+  Eigenvalue_search(const FT& start, int side) : m_lambda(start), m_side(FT(side)) {}
 
   /// Starts a step: then come the rows of B in their order.
   void start()
@@ -129,7 +129,7 @@ public:
 private:
   FT m_lambda, m_side, m_last_size = FT(0);
   FT m_s, m_s1, m_s2, m_sum, m_square_sum;
-  Mask m_is_inside = FT(0) < FT(1), m_is_moving = FT(0) < FT(1);
+  Mask_of<FT> m_is_inside = FT(0) < FT(1), m_is_moving = FT(0) < FT(1);
 };
 
 /// Ratio of the largest and the smallest singular value, infinite where the smallest is 0.
@@ -165,6 +165,7 @@ FT condition_number(const Upper_triangle<FT>& r)
   return select(is_regular, square_root(FT(largest.eigenvalue() / smallest.eigenvalue())), infinity);
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

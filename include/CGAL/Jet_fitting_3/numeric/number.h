@@ -7,6 +7,8 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
 #define CGAL_JET_FITTING_3_NUMERIC_NUMBER_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,15 +17,16 @@
 #include <type_traits>
 
 /// \file
-/// What a number type FT must offer to the steps: + - * / and unary -, conversion from int and double, < > ==, `sqrt` and
-/// `abs` found by argument-dependent look-up, and `std::numeric_limits`; for weights by distance `exp` and an explicit
-/// conversion to double too.
-/// A comparison gives a mask: bool for one number, a lane-wise mask for a Pack. The steps branch on masks only through
-/// `select`, `any` and `all`, hence the same code runs on both. Nothing here depends on the order of inclusion.
+/// What a number type FT must offer to the steps: + - * / and unary -, conversion from int and double, < > ==,
+/// `sqrt` and `abs` found by argument-dependent look-up, and `std::numeric_limits`; for weights by distance `exp` and
+/// an explicit conversion to double too. A comparison gives a mask: bool for one number, a lane-wise mask for a Pack.
+/// The steps branch on masks only through `select`, `any` and `all`, hence the same code runs on both. Nothing here
+/// depends on the order of inclusion.
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 template <class T>
 struct Non_deduced
@@ -34,6 +37,10 @@ struct Non_deduced
 /// `FT` by its own name; lets expression templates convert on the way in.
 template <class T>
 using Plain = typename Non_deduced<T>::type;
+
+/// What a comparison of two FT gives.
+template <class FT>
+using Mask_of = decltype(FT(0) < FT(0));
 
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
@@ -99,8 +106,8 @@ typename Lanes<FT>::Number epsilon()
   return std::numeric_limits<typename Lanes<FT>::Number>::epsilon();
 }
 
-/// The leading half of the digits of v, for |v| <= 1: products of two such parts, and sums of three products, are exact.
-/// For number types other than float, double and long double, v itself.
+/// The leading half of the digits of v, for |v| <= 1: products of two such parts, and sums of three products, are
+/// exact. For number types other than float, double and long double, v itself.
 template <class FT>
 FT leading_half(const FT& v)
 {
@@ -177,14 +184,15 @@ inline double inverse_of_power_of_two(double p)
   return inverse;
 }
 
-/// 1/p for what power_of_two_above() returns. What follows waits for it, and a division of doubles takes several times as
-/// long as to turn the sign of the exponent.
+/// 1/p for what power_of_two_above() returns. It is on the critical path, and a division of doubles takes several times
+/// as long as to turn the sign of the exponent.
 template <class FT>
 FT inverse_of_power_of_two(const FT& p)
 {
   return FT(1) / p;
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

@@ -8,12 +8,15 @@
 #define CGAL_JET_FITTING_3_NUMERIC_ORTHOGONALIZATION_H
 
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Of columns with whole blocks of rows.
 template <class FT>
@@ -82,32 +85,35 @@ void orthogonalize_to(const FT* q, std::size_t rows, std::size_t count, const FT
     orthogonalize_to<together, false>(q, columns, rows, components + c, columns + c * rows, products + c);
 }
 
-/// Least squares by modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the
-/// process (Bjorck 1967), has equally long loops, and needs no square root.
-///
-/// On the way out `trusted` is false where a column has almost vanished: then the rank is in doubt, and there is no
-/// solution from here. Rounding errors of earlier columns reach later ones amplified by the condition number of the
-/// monomials, about 4^degree; `doubt` takes that into account.
-/// The columns of the system are overwritten, its right side becomes the residual.
+/// Square norms of the orthogonalized columns, and of what is left of Z.
 template <class FT>
-Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system, const Plain<FT>& doubt)
+struct Remaining_squares
+{
+  FT largest, smallest, residual;
+};
+
+/// Modified Gram-Schmidt on [M Z], which is as stable as Householder's method when Z takes part in the process (Bjorck
+/// 1967), has equally long loops, and needs no square root. The columns of the system become orthogonal, its right side
+/// the residual.
+///
+/// R = D U, where U has ones on its diagonal. On the way out `r` has the squares of D on the diagonal and U to the
+/// right of it, and `y` has D^-1 Q^T Z. R is that of a matrix close to M even where nothing but rounding errors is left
+/// of a column (Bjorck and Paige 1992).
+template <class FT>
+Remaining_squares<FT> orthogonalize(Linear_system<FT>& system, Upper_triangle<FT>& r, Buffer<FT, 45>& y)
 {
   const std::size_t rows = system.padded_rows(), columns = system.columns();
-  Least_squares_solution<FT> solution;
-  solution.r.resize(columns);
-  solution.y.resize(columns);
-  solution.rank = columns;
-
-  // R = D U with the norms on the diagonal of D; U has ones on its diagonal, components to the right of it
-  FT* const y = solution.y.data();
-  FT* row = solution.r.row(0);
+  r.resize(columns);
+  y.resize(columns);
+  FT* row = r.row(0);
   Buffer<FT, 48> buffer;
   buffer.resize(columns + 1);
   FT* const products = buffer.data(); // of column k with itself, with those to the right of it, and with Z
   for (std::size_t j = 0; j <= columns; ++j) products[j] = inner_product(system.column(0), system.column(j), rows);
   FT largest = products[0], smallest = products[0];
+  const FT least(std::numeric_limits<typename Lanes<FT>::Number>::min()); // below, a square may have no inverse
   for (std::size_t k = 0; k < columns; ++k) {
-    const FT square = products[0], inverse = FT(1) / square;
+    const FT square = products[0], inverse = select(square < least, FT(0), FT(1) / square);
     largest = larger(largest, square);
     smallest = select(square < smallest, square, smallest);
     row[0] = square; // for now: the division must not wait for its root
@@ -116,20 +122,23 @@ Least_squares_solution<FT> solve_by_orthogonalization(Linear_system<FT>& system,
     row += columns - k;
     y[k] = row[0]; // the component of Z, whose place is the diagonal of the next row
   }
-  const FT square = products[0];
+  return {largest, smallest, products[0]};
+}
+
+/// Turns what orthogonalize() has left into R, and into the Y that solves R Y = Q^T Z.
+template <class FT>
+void substitute_back(Upper_triangle<FT>& r, Buffer<FT, 45>& y)
+{
+  const std::size_t columns = r.size();
   for (std::size_t i = columns; i-- > 0;) {
-    row -= columns - i;
+    FT* const row = r.row(i);
     for (std::size_t j = columns; --j > i;) y[i] = y[i] - row[j - i] * y[j];
     row[0] = square_root(row[0]);
     for (std::size_t j = 1; j < columns - i; ++j) row[j] = row[0] * row[j];
   }
-  solution.square_sum = square; // of what is left of Z, the residual
-  // comparisons pass over a NaN on the way, but it has reached the residual
-  const auto is_clear = smallest > FT(doubt * doubt) * largest, is_number = is_finite(square);
-  solution.trusted = is_clear & is_number;
-  return solution;
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

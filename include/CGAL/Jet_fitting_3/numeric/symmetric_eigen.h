@@ -7,15 +7,18 @@
 #ifndef CGAL_JET_FITTING_3_NUMERIC_SYMMETRIC_EIGEN_H
 #define CGAL_JET_FITTING_3_NUMERIC_SYMMETRIC_EIGEN_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// A rotation by at most pi/4.
 template <class FT>
@@ -46,8 +49,8 @@ struct Eigen_2
   FT x, y; ///< unit eigenvector of the larger value
 };
 
-/// [[a, b], [b, c]]. The vector is (1, 0) where both values are equal. The rotation is found in a unit in which no square
-/// that counts underflows: it would be none.
+/// [[a, b], [b, c]]. The vector is (1, 0) where both values are equal. Entries are scaled first, so that no
+/// significant square underflows.
 template <class FT>
 Eigen_2<FT> symmetric_eigen_2(const FT& a, const FT& b, const FT& c)
 {
@@ -79,9 +82,9 @@ struct Symmetric_3
   }
 };
 
-/// An approximate unit eigenvector of the smallest eigenvalue of a positive semidefinite matrix: three steps of Newton's
-/// method from 0 towards the eigenvalue, and the longest cross product of two rows of a - eigenvalue. Some unit vector
-/// if that is zero.
+/// An approximate unit eigenvector of the smallest eigenvalue of a positive semidefinite matrix: three steps of
+/// Newton's method from 0 towards the eigenvalue, and the longest cross product of two rows of a - eigenvalue. Some
+/// unit vector if that is zero.
 template <class FT>
 Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
 {
@@ -111,8 +114,73 @@ Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
   return FT(FT(1) / length) * longest;
 }
 
-/// Symmetric positive semidefinite 3 x 3 matrix by cyclic Jacobi rotations: the vectors are orthonormal to rounding even
-/// where eigenvalues coincide, as they do for rings on a sphere, which closed formulas cannot offer. One vector is
+/// A symmetric matrix on its way to a diagonal one: its entries in the basis of three orthonormal axes.
+template <class FT>
+class Diagonalization_3
+{
+public:
+  Diagonalization_3(const Symmetric_3<FT>& a, const Vector_3<FT>& u, const Vector_3<FT>& v, const Vector_3<FT>& w)
+    : m_axes{{u, v, w}}
+  {
+    const Vector_3<FT> au = a * u, av = a * v, aw = a * w;
+    m_diagonal = {{dot(u, au), dot(v, av), dot(w, aw)}};
+    m_opposite = {{dot(v, aw), dot(u, aw), dot(u, av)}};
+    m_no_gap = FT(epsilon<FT>()) * (m_diagonal[0] + m_diagonal[1] + m_diagonal[2]);
+  }
+
+  /// Turns axes p < q in their plane so that their entry vanishes, in the lanes where it is not negligible: what becomes
+  /// of a lane does not depend on the others. \return false if it was negligible in all lanes
+  template <std::size_t p, std::size_t q>
+  bool rotate()
+  {
+    constexpr std::size_t r = 3 - p - q; // the entry of p and q is opposite to r
+    FT &pp = m_diagonal[p], &qq = m_diagonal[q], &pq = m_opposite[r], &pr = m_opposite[q], &qr = m_opposite[p];
+    const FT negligible_angle = FT(4) * epsilon<FT>();
+    const auto turns = absolute(pq) > FT(negligible_angle * larger(absolute(FT(pp - qq)), m_no_gap));
+    if (!any(turns)) return false;
+    const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
+    const FT c = rotation.cosine, s = rotation.sine;
+    pp = select(turns, FT(pp + rotation.tangent * pq), pp);
+    qq = select(turns, FT(qq - rotation.tangent * pq), qq);
+    pq = select(turns, FT(0), pq);
+    const FT pr_before = pr;
+    pr = select(turns, FT(c * pr + s * qr), pr);
+    qr = select(turns, FT(c * qr - s * pr_before), qr);
+    const Vector_3<FT> p_before = m_axes[p];
+    m_axes[p] = chosen(turns, c * m_axes[p] + s * m_axes[q], m_axes[p]);
+    m_axes[q] = chosen(turns, c * m_axes[q] - s * p_before, m_axes[q]);
+    return true;
+  }
+
+  /// Swaps axes p and q where the diagonal entry of p is the smaller one.
+  template <std::size_t p, std::size_t q>
+  void order()
+  {
+    const auto swapped = m_diagonal[p] < m_diagonal[q];
+    const FT p_entry = m_diagonal[p];
+    m_diagonal[p] = select(swapped, m_diagonal[q], p_entry);
+    m_diagonal[q] = select(swapped, p_entry, m_diagonal[q]);
+    const Vector_3<FT> p_axis = m_axes[p], q_axis = m_axes[q];
+    m_axes[p] = chosen(swapped, q_axis, p_axis);
+    m_axes[q] = chosen(swapped, p_axis, q_axis);
+  }
+
+  const std::array<FT, 3>& diagonal() const { return m_diagonal; }
+  const std::array<Vector_3<FT>, 3>& axes() const { return m_axes; }
+
+private:
+  static Vector_3<FT> chosen(const Mask_of<FT>& mask, const Vector_3<FT>& a, const Vector_3<FT>& b)
+  {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+  }
+
+  std::array<FT, 3> m_diagonal, m_opposite;
+  std::array<Vector_3<FT>, 3> m_axes;
+  FT m_no_gap;
+};
+
+/// Symmetric positive semidefinite 3 x 3 matrix by cyclic Jacobi rotations: the vectors are orthonormal to rounding
+/// even where eigenvalues coincide, as they do for rings on a sphere, which closed formulas cannot offer. One vector is
 /// guessed, which leaves few rotations to do; a bad guess costs some more.
 template <class FT>
 Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
@@ -121,54 +189,27 @@ Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
   const Symmetric_3<FT> a{per_unit * matrix.xx, per_unit * matrix.xy, per_unit * matrix.xz,
                           per_unit * matrix.yy, per_unit * matrix.yz, per_unit * matrix.zz};
   // a basis around the guess (Duff et al. 2017)
-  Vector_3<FT> w = direction_of_least_eigenvalue(a);
+  const Vector_3<FT> w = direction_of_least_eigenvalue(a);
   const FT sign = select(w.z < FT(0), FT(-1), FT(1)), factor = FT(-1) / (sign + w.z), product = w.x * w.y * factor;
-  Vector_3<FT> u{FT(1) + sign * w.x * w.x * factor, sign * product, -sign * w.x};
-  Vector_3<FT> v{product, sign + w.y * w.y * factor, -w.y};
-  const Vector_3<FT> au = a * u, av = a * v, aw = a * w;
-  FT xx = dot(u, au), xy = dot(u, av), xz = dot(u, aw), yy = dot(v, av), yz = dot(v, aw), zz = dot(w, aw);
+  const Vector_3<FT> u{FT(1) + sign * w.x * w.x * factor, sign * product, -sign * w.x};
+  const Vector_3<FT> v{product, sign + w.y * w.y * factor, -w.y};
 
-  const FT negligible_angle = FT(4) * epsilon<FT>(), no_gap = FT(epsilon<FT>()) * (xx + yy + zz);
-  // diagonalizes [[pp, pq], [pq, qq]]; r is the third axis
-  const auto rotate = [&](FT& pp, FT& pq, FT& qq, FT& pr, FT& qr, Vector_3<FT>& p_axis, Vector_3<FT>& q_axis) {
-    if (!any(absolute(pq) > FT(negligible_angle * larger(absolute(FT(pp - qq)), no_gap)))) return false;
-    const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
-    const FT c = rotation.cosine, s = rotation.sine;
-    pp = pp + rotation.tangent * pq;
-    qq = qq - rotation.tangent * pq;
-    pq = FT(0);
-    const FT pr_before = pr;
-    pr = c * pr + s * qr;
-    qr = c * qr - s * pr_before;
-    const Vector_3<FT> p_before = p_axis;
-    p_axis = c * p_axis + s * q_axis;
-    q_axis = c * q_axis - s * p_before;
-    return true;
-  };
-
+  Diagonalization_3<FT> turned(a, u, v, w);
   const int most_sweeps = 12; // convergence is quadratic: two or three sweeps in double precision
   bool rotated = true;
   for (int sweep = 0; sweep < most_sweeps && rotated; ++sweep) {
-    rotated = rotate(xx, xy, yy, xz, yz, u, v);
-    rotated = rotate(xx, xz, zz, xy, yz, u, w) || rotated;
-    rotated = rotate(yy, yz, zz, xy, xz, v, w) || rotated;
+    rotated = turned.template rotate<0, 1>();
+    rotated = turned.template rotate<0, 2>() || rotated;
+    rotated = turned.template rotate<1, 2>() || rotated;
   }
-
-  const auto order = [](FT& first, FT& second, Vector_3<FT>& p, Vector_3<FT>& q) {
-    const auto swapped = first < second;
-    const FT first_before = first;
-    const Vector_3<FT> p_before = p;
-    first = select(swapped, second, first);
-    second = select(swapped, first_before, second);
-    p = {select(swapped, q.x, p.x), select(swapped, q.y, p.y), select(swapped, q.z, p.z)};
-    q = {select(swapped, p_before.x, q.x), select(swapped, p_before.y, q.y), select(swapped, p_before.z, q.z)};
-  };
-  order(xx, yy, u, v);
-  order(xx, zz, u, w);
-  order(yy, zz, v, w);
-  return {{{unit * xx, unit * yy, unit * zz}}, {{u, v, w}}};
+  turned.template order<0, 1>();
+  turned.template order<0, 2>();
+  turned.template order<1, 2>();
+  const std::array<FT, 3>& values = turned.diagonal();
+  return {{{unit * values[0], unit * values[1], unit * values[2]}}, turned.axes()};
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting
 } // namespace CGAL

@@ -7,11 +7,14 @@
 #ifndef CGAL_JET_FITTING_3_SOLVERS_DENSE_MATRIX_H
 #define CGAL_JET_FITTING_3_SOLVERS_DENSE_MATRIX_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Solvers
 /// A right side and a solution, as SvdTraits asks for.
@@ -54,6 +57,7 @@ private:
   std::vector<FT> m_entries;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

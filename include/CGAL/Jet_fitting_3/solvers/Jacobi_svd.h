@@ -7,7 +7,9 @@
 #ifndef CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H
 #define CGAL_JET_FITTING_3_SOLVERS_JACOBI_SVD_H
 
-#include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/numeric/condition_number.h>
+#include <CGAL/Jet_fitting_3/numeric/least_squares.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/solvers/Dense_matrix.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/solvers/Svd_traits_solver.h>
@@ -16,10 +18,11 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Solvers
 /// A model of SvdTraits for every number type that the steps work in: float, double, long double, multiprecision.
-/// It needs no other library.
+/// It needs no other library. The name is that of its first method; today it orthogonalizes, as Orthogonal_solver does.
 template <class NumberType>
 class Jacobi_svd
 {
@@ -38,20 +41,21 @@ public:
     for (std::size_t j = 0; j <= columns; ++j)
       for (std::size_t i = 0; i < system.padded_rows(); ++i)
         system.column(j)[i] = i >= rows ? FT(0) : j < columns ? m(i, j) : b(i);
-    const auto solution = numeric::solve_by_singular_values(system);
+    const auto solution = numeric::solve_for_any_rank(system, FT(1)); // of which nothing is known
     for (std::size_t j = 0; j < columns; ++j) b.set(j, solution.y[j]);
-    return solution.condition_number;
+    return numeric::condition_number(solution.r);
   }
 };
 
-/// Jacobi_svd is called only where orthogonalization finds the rank in doubt.
+/// The same method, which computes the condition number only when asked for.
 template <class FT>
 struct Solver_of<Jacobi_svd<FT>>
 {
-  /// The solver that stands for it.
+  /// The solver that is used for it.
   using type = Orthogonal_solver<FT>;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -8,7 +8,8 @@
 #define CGAL_JET_FITTING_3_SOLVERS_SVD_TRAITS_SOLVER_H
 
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
-#include <CGAL/Jet_fitting_3/numeric/singular_values.h>
+#include <CGAL/Jet_fitting_3/numeric/least_squares.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -16,6 +17,7 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 template <class T, class = void>
 struct Is_svd_traits : std::false_type
@@ -68,14 +70,10 @@ public:
       square_sum = square_sum + residual * residual;
     }
 
-    // what the traits do not tell: the factor R, or the rank
-    const bool is_full = condition_number * FT(numeric::epsilon<FT>()) * FT(double(rows)) < FT(1);
-    auto solution =
-        is_full ? numeric::solve_by_orthogonalization(m_system, FT(0)) : numeric::solve_by_singular_values(m_system);
+    auto solution = numeric::solve_for_any_rank(m_system, FT(1)); // the traits tell neither the rank nor R
     solution.y = std::move(y);
     solution.square_sum = square_sum;
     solution.condition_number = condition_number;
-    solution.trusted = true;
     return solution;
   }
 
@@ -84,7 +82,7 @@ private:
 };
 
 /// \ingroup PkgJetFitting3Solvers
-/// The solver that stands for SvdTraits: the traits themselves, unless a specialization says that another method with
+/// The solver that is used for SvdTraits: the traits themselves, unless a specialization says that another method with
 /// the same answers may replace them.
 template <class SvdTraits>
 struct Solver_of
@@ -93,6 +91,7 @@ struct Solver_of
   using type = Svd_traits_solver<SvdTraits>;
 };
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

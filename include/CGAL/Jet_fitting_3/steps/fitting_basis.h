@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_STEPS_FITTING_BASIS_H
 #define CGAL_JET_FITTING_3_STEPS_FITTING_BASIS_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
@@ -17,6 +18,7 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// The basis F in which the height function is fitted, and how the samples are spread.
@@ -27,7 +29,8 @@ struct Fitting_basis
   std::array<FT, 3> variances; ///< length^2, along the axes; in descending order when the basis comes from the PCA
   Vector_3<FT> centroid;       ///< of the samples, relative to p, in world coordinates
 
-  /// The variance along axis i (x, y, z for 0, 1, 2) and the axis, as a vector type with a constructor from coordinates.
+  /// The variance along axis i (x, y, z for 0, 1, 2) and the axis, as a vector type with a constructor from
+  /// coordinates.
   template <class Kernel_vector_3>
   std::pair<FT, Kernel_vector_3> axis(std::size_t i) const
   {
@@ -95,6 +98,7 @@ Fitting_basis<FT> fitting_basis(const Samples<FT>& samples, const Basis_3<FT>& g
   return {given, {{variance(given.x), variance(given.y), variance(given.z)}}, m.centroid};
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -10,16 +10,20 @@
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
 #include <CGAL/Jet_fitting_3/numeric/Row_block.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// The samples in the fitting basis: (u, v) in units of their extents hu, hv along the two axes, heights as they are.
@@ -67,19 +71,13 @@ private:
 };
 
 /// \ingroup PkgJetFitting3Steps
-/// Change of coordinates P_{W -> F}, and the extents for the preconditioning. The paper takes one h for both axes, the
-/// mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). Here it is the root mean square,
-/// and one for each axis, which keeps the condition number small on narrow strips. An axis 2^-40 times narrower than
-/// the other shares the other's extent: its coordinates are rounding errors of collinear samples, and must not be blown
-/// up into seeming information.
+/// Change of coordinates P_{W -> F}: fills u, v and height. \return the weighted sums of u^2 and v^2
 template <class FT>
-Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
+std::array<FT, 2> project(const Samples<FT>& samples, const Basis_3<FT>& basis, Heights<FT>& h)
 {
   using Rows = numeric::Row_block<FT>;
   using Row = typename Rows::type;
   const std::size_t padded = samples.padded_size();
-  Heights<FT> h;
-  h.size = samples.size();
   for (auto* coordinates : {&h.u, &h.v, &h.height}) coordinates->resize(padded);
   FT *u = h.u.data(), *v = h.v.data(), *height = h.height.data();
   const Vector_3<Row> x_axis = numeric::in_every_row(basis.x), y_axis = numeric::in_every_row(basis.y);
@@ -94,6 +92,37 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
     Rows::store(vi, v + i);
     Rows::store(height_above_plane(r), height + i);
   }
+  return {{Rows::sum(square_sum_u), Rows::sum(square_sum_v)}};
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// The extents hu, hv for the preconditioning, from the weighted means of u^2 and v^2. The paper takes one h for both
+/// axes, the mean of x_i and y_i (of their absolute values is meant: the mean itself may be 0). Here it is the root
+/// mean square, and one for each axis, which keeps the condition number small on narrow strips. An axis 2^-40 times
+/// narrower than the other shares the other's extent: its coordinates are rounding errors of collinear samples, and
+/// must not be blown up into seeming information.
+template <class FT>
+std::array<FT, 2> extents(const FT& mean_square_u, const FT& mean_square_v)
+{
+  const FT extent_u = numeric::square_root(mean_square_u), extent_v = numeric::square_root(mean_square_v);
+  const FT around_p = FT(1.0 / 1024); // of the unit: weights may leave next to nothing but p, which has no extent
+  const FT wider = numeric::larger(numeric::larger(extent_u, extent_v), around_p);
+  const FT least = FT(1.0 / (1ll << 40)) * wider;
+  const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
+  return {{numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, wider, extent_u))),
+           numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, wider, extent_v)))}};
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// The samples in the fitting basis, ready for the system.
+template <class FT>
+Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
+{
+  using Rows = numeric::Row_block<FT>;
+  const std::size_t padded = samples.padded_size();
+  Heights<FT> h;
+  h.size = samples.size();
+  const std::array<FT, 2> square_sums = project(samples, basis, h);
   if (samples.is_weighted()) {
     h.root_weight.resize(padded);
     for (std::size_t i = 0; i < padded; i += Rows::size)
@@ -101,15 +130,11 @@ Heights<FT> heights(const Samples<FT>& samples, const Basis_3<FT>& basis)
   }
 
   const FT inverse_total = FT(1) / samples.total_weight();
-  const FT extent_u = numeric::square_root(FT(inverse_total * Rows::sum(square_sum_u)));
-  const FT extent_v = numeric::square_root(FT(inverse_total * Rows::sum(square_sum_v)));
-  const FT around_p = FT(1.0 / 1024); // of the unit: weights may leave next to nothing but p, which has no extent
-  const FT wider = numeric::larger(numeric::larger(extent_u, extent_v), around_p);
-  const FT least = FT(1.0 / (1ll << 40)) * wider;
-  const FT border = FT(1.4); // between 0.7 and 1.4 units from p for samples spread over a disc
-  h.hu = numeric::power_of_two_above(FT(border * numeric::select(extent_u < least, wider, extent_u)));
-  h.hv = numeric::power_of_two_above(FT(border * numeric::select(extent_v < least, wider, extent_v)));
-  const FT inverse_hu = numeric::inverse_of_power_of_two(h.hu), inverse_hv = numeric::inverse_of_power_of_two(h.hv);
+  const auto [hu, hv] = extents(FT(inverse_total * square_sums[0]), FT(inverse_total * square_sums[1]));
+  h.hu = hu;
+  h.hv = hv;
+  const FT inverse_hu = numeric::inverse_of_power_of_two(hu), inverse_hv = numeric::inverse_of_power_of_two(hv);
+  FT *u = h.u.data(), *v = h.v.data();
   for (std::size_t i = 0; i < padded; ++i) {
     u[i] = u[i] * inverse_hu;
     v[i] = v[i] * inverse_hv;
@@ -206,7 +231,7 @@ struct Jet_fit
   FT hu, hv;
   /// @}
   numeric::Buffer<FT, 128> robust_weights; ///< of a robust loss, one a sample; otherwise none
-  FT error_variance = FT(0); ///< of a robust loss: what its noise and its weights make of the residual variance
+  std::optional<FT> error_variance; ///< of a robust loss, if errors are asked for: in place of the residual variance
 
   Jet_fit() = default;
 
@@ -229,14 +254,15 @@ struct Jet_fit
 /// \param samples at least N_d = (d+1)(d+2)/2, lengths near 1 (see unit_of_length())
 /// \param basis orthonormal and direct; its z axis must not be tangent to the surface
 /// \param degree d
-/// \param solve a model of StepSolver: maps (rows, columns, assemble) to a Least_squares_solution; it lends the storage for the system and may
-///        have it assembled again
+/// \param solve a model of StepSolver: maps (rows, columns, assemble) to a Least_squares_solution; it lends the storage
+///        for the system and may have it assembled again
 template <class FT, class Solver>
 Jet_fit<FT> fit_jet(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Solver& solve)
 {
   return Jet_fit<FT>(heights(samples, basis), degree, solve);
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

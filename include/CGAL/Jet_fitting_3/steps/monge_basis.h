@@ -7,12 +7,14 @@
 #ifndef CGAL_JET_FITTING_3_STEPS_MONGE_BASIS_H
 #define CGAL_JET_FITTING_3_STEPS_MONGE_BASIS_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// The Monge basis (d1, d2, n), by its coordinates in the fitting basis, and the principal curvatures k1 >= k2.
@@ -69,6 +71,7 @@ Monge_basis<FT> monge_basis(const Jet<FT>& jet, const Basis_3<FT>& fitting)
   return {{d1, cross(frame.z, d1), frame.z}, shape.larger_value, shape.smaller_value};
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -8,6 +8,8 @@
 #define CGAL_JET_FITTING_3_STEPS_MONGE_COEFFICIENTS_H
 
 #include <CGAL/Jet_fitting_3/numeric/binary_form.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/power_series.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
@@ -16,44 +18,19 @@
 
 namespace CGAL {
 namespace Jet_fitting {
-
-/// \ingroup PkgJetFitting3Steps
-/// A function of (x, y) without constant and linear part, by its Taylor coefficients.
-/// Orders `lowest` to `highest` are kept, order k as k + 1 coefficients.
-template <class FT>
-class Power_series
-{
-public:
-  /// Zero, with room for these orders.
-  Power_series(std::size_t lowest, std::size_t highest) : m_lowest(lowest), m_highest(highest)
-  {
-    m_coefficients.resize(number_of_jet_coefficients(highest) - lowest * (lowest + 1) / 2);
-    for (FT& coefficient : m_coefficients) coefficient = FT(0);
-  }
-
-  std::size_t lowest() const { return m_lowest; }   ///< first order that is kept
-  std::size_t highest() const { return m_highest; } ///< last order that is kept
-  /// @{
-  /// The coefficients of x^k, x^(k-1) y, ..., y^k.
-  FT* order(std::size_t k) { return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2; }
-  const FT* order(std::size_t k) const { return m_coefficients.data() + (k * (k + 1) - m_lowest * (m_lowest + 1)) / 2; }
-  /// @}
-
-private:
-  std::size_t m_lowest, m_highest;
-  numeric::Buffer<FT, 64> m_coefficients;
-};
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// Heights over the tangent plane, measured along the fitting z axis: with d1, d2 as unit vectors of the (s, t) plane,
 /// F(s, t) = n_z (J - its constant and linear part). Its orders 2 to d' are the forms A_k of the jet evaluated at
 /// d1, d2; order 2 is diag(k1, k2), which step 3 has found.
 template <class FT>
-Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basis<FT>& monge, std::size_t dprime)
+numeric::Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basis<FT>& monge,
+                                                     std::size_t dprime)
 {
   const auto factorials = numeric::factorials<FT>(dprime);
   const Vector_3<FT>&d1 = monge.axes.x, &d2 = monge.axes.y;
-  Power_series<FT> heights(2, dprime);
+  numeric::Power_series<FT> heights(2, dprime);
   heights.order(2)[0] = FT(0.5) * monge.k1;
   heights.order(2)[2] = FT(0.5) * monge.k2;
   numeric::Buffer<FT, 16> along_d2, along_both;
@@ -73,19 +50,8 @@ Power_series<FT> heights_over_tangent_plane(const Jet<FT>& jet, const Monge_basi
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// The product of two series, up to the given order.
-template <class FT>
-Power_series<FT> product(const Power_series<FT>& a, const Power_series<FT>& b, std::size_t highest)
-{
-  Power_series<FT> result(a.lowest() + b.lowest(), highest);
-  for (std::size_t i = a.lowest(); i <= a.highest(); ++i)
-    for (std::size_t j = b.lowest(); j <= b.highest() && i + j <= highest; ++j)
-      numeric::add_product(i, a.order(i), j, b.order(j), result.order(i + j));
-  return result;
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// Step 4 (section 3.4): the Monge coefficients of every order up to d', at most the degree of the jet; none for d' = 1.
+/// Step 4 (section 3.4): the Monge coefficients of every order up to d', at most the
+/// degree of the jet; none for d' = 1.
 ///
 /// The point at (s, t) of heights_over_tangent_plane() has Monge coordinates z = F(s, t), (x, y) = (s, t) + z w with
 /// w = (d1_z, d2_z) / n_z, since the fitting z axis is d1_z d1 + d2_z d2 + n_z n. So f(x, y, g(x, y)) = 0 of
@@ -105,10 +71,10 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
   if (dprime == 2) return coefficients;
 
   const FT wx = monge.axes.x.z / monge.axes.z.z, wy = monge.axes.y.z / monge.axes.z.z;
-  const Power_series<FT> heights = heights_over_tangent_plane(jet, monge, dprime);
+  const numeric::Power_series<FT> heights = heights_over_tangent_plane(jet, monge, dprime);
 
-  Power_series<FT> g = heights;
-  Power_series<FT> power = heights;
+  numeric::Power_series<FT> g = heights;
+  numeric::Power_series<FT> power = heights;
   FT factor(1);
   for (std::size_t m = 2; m + 1 <= dprime; ++m) {
     power = product(power, heights, dprime + m - 1);
@@ -129,6 +95,7 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
   return coefficients;
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

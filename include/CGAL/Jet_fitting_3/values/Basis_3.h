@@ -7,11 +7,13 @@
 #ifndef CGAL_JET_FITTING_3_VALUES_BASIS_3_H
 #define CGAL_JET_FITTING_3_VALUES_BASIS_3_H
 
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// An orthonormal direct basis, by the coordinates of its vectors in another one.
@@ -42,6 +44,7 @@ FT direction_sign(const Vector_3<FT>& axis)
   return numeric::select(dot(axis, preferred) < FT(0), FT(-1), FT(1));
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -8,16 +8,24 @@
 #define CGAL_JET_FITTING_3_VALUES_JET_H
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// N_d = (d+1)(d+2)/2, the number of coefficients of a d-jet (section 2.1.1).
 constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
+
+/// \ingroup PkgJetFitting3Steps
+/// The highest degree of a jet that is meant: 34! is the largest factorial that a float holds. Monomials of degree d lose
+/// about 4^d of the digits, so that beyond it those of a neighborhood cannot be told apart in any floating point type of
+/// the language (epsilon of an 80-bit long double is 2^-63).
+constexpr std::size_t highest_degree = 34;
 
 /// \ingroup PkgJetFitting3Steps
 /// The d-jet J(u, v) = sum A_ij u^i v^j / (i! j!) of a height function, by its derivatives A_ij at the origin
@@ -66,6 +74,7 @@ void measure_in_smaller_unit(Jet<FT>& jet, const FT& factor)
     for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] = numeric::multiplied(jet.part(k)[i], inverse, k - 1);
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

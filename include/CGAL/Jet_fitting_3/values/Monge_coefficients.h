@@ -31,6 +31,17 @@ constexpr std::size_t monge_offset(std::size_t order) { return number_of_monge_c
 template <class FT>
 using Monge_coefficients = numeric::Buffer<FT, 11>;
 
+/// \ingroup PkgJetFitting3Steps
+/// The coefficients in another number type, that of convert(FT).
+template <class FT, class Convert>
+auto converted(const Monge_coefficients<FT>& coefficients, const Convert& convert)
+{
+  Monge_coefficients<decltype(convert(coefficients[0]))> result;
+  result.resize(coefficients.size());
+  for (std::size_t i = 0; i < coefficients.size(); ++i) result[i] = convert(coefficients[i]);
+  return result;
+}
+
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/Row_block.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 
 namespace CGAL {
 namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
 /// The sample points P+ of section 2.1.2, relative to p = samples[0], in world axes: p itself is (0, 0, 0).
@@ -26,6 +28,7 @@ template <class FT>
 class Samples
 {
   using Rows = numeric::Row_block<FT>;
+  using Number = typename numeric::Lanes<FT>::Number;
 
 public:
   /// N, p included.
@@ -47,7 +50,7 @@ public:
   /// Of a block; 0 for copies of p.
   typename Rows::type weight_block(std::size_t i) const { return Rows::load(column(3) + i); }
 
-  /// Sum of the weights; 1 where all are 0, since it is there to divide by.
+  /// Sum of the weights; 1 where all are 0: callers divide by it.
   FT total_weight() const
   {
     if (!is_weighted()) return FT(double(size()));
@@ -81,20 +84,18 @@ public:
   /// Of sample i.
   void set_weight(std::size_t i, const FT& weight) { column(3)[i] = weight; }
 
-  /// The same for one lane, where FT is a Pack.
-  template <class Number>
-  void set_lane(std::size_t i, int lane, const Number& x, const Number& y, const Number& z)
+  /// Sample i in one lane.
+  void set_lane(std::size_t i, int lane, const Vector_3<Number>& r)
   {
-    column(0)[i].set(lane, x);
-    column(1)[i].set(lane, y);
-    column(2)[i].set(lane, z);
+    numeric::Lanes<FT>::set(column(0)[i], lane, r.x);
+    numeric::Lanes<FT>::set(column(1)[i], lane, r.y);
+    numeric::Lanes<FT>::set(column(2)[i], lane, r.z);
   }
 
   /// The weight of sample i in one lane.
-  template <class Number>
   void set_weight_lane(std::size_t i, int lane, const Number& weight)
   {
-    column(3)[i].set(lane, weight);
+    numeric::Lanes<FT>::set(column(3)[i], lane, weight);
   }
 
   /// Multiplies all coordinates.
@@ -131,6 +132,7 @@ FT unit_of_length(const Samples<FT>& samples)
   return numeric::power_of_two_above(Rows::largest(larger(x, larger(y, z))));
 }
 
+CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 

@@ -17,12 +17,11 @@ namespace CGAL {
 namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Options
-/// One standard deviation of the normal and of each Monge coefficient, as far as noise along the fitting z axis goes.
-/// They do not know about the error that a finite degree leaves (bias), nor about the choice of the fitting axis. Weights
-/// are taken for inverse variances, which point weights may be and weights by distance are not: with those, and under a
-/// robust loss, they are approximate.
-/// With `degrees_of_freedom` f, quantity +- t error is a confidence interval, t being the quantile of Student's t
-/// distribution with f degrees of freedom.
+/// One standard deviation of the normal and of each Monge coefficient, as far as noise
+/// along the fitting z axis goes. They do not know about the error that a finite degree leaves (bias), nor about the
+/// choice of the fitting axis. Weights are taken for inverse variances, which point weights may be and weights by
+/// distance are not: with those, and under a robust loss, they are approximate. With `degrees_of_freedom` f, quantity
+/// +- t error is a confidence interval, t being the quantile of Student's t distribution with f degrees of freedom.
 template <class FT>
 struct Standard_errors
 {
@@ -40,6 +39,17 @@ struct Standard_errors
       std::reverse(coefficients.begin() + monge_offset(k), coefficients.begin() + monge_offset(k + 1));
   }
 };
+
+/// \ingroup PkgJetFitting3Steps
+/// The errors in another number type, that of convert(FT).
+template <class FT, class Convert>
+auto converted(const Standard_errors<FT>& errors, const Convert& convert)
+{
+  using Number = decltype(convert(errors.degrees_of_freedom));
+  if (!errors.is_estimated) return Standard_errors<Number>();
+  return Standard_errors<Number>{true, convert(errors.degrees_of_freedom), convert(errors.normal_along_d1),
+                                 convert(errors.normal_along_d2), converted(errors.coefficients, convert)};
+}
 
 } // namespace Jet_fitting
 } // namespace CGAL

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The survey of 2026 on differential estimators for point clouds, run again for the automatic choice: its surfaces, its
+// noise, its measure of errors, beside its best estimators, each of which has its best radius on each surface, knowing
+// the truth. The points are not the survey's own.
+//
+//     survey PUBLISHED.tsv [SURFACE|all [SIGMA|all [POINTS [EVERY]]]]
+//
+// Root mean squares and medians over every EVERY-th point (20). "seed": position and normal noise from one seed, as in
+// the survey: the normal's noise is ten times the point's, vector by vector. "free": independent.
+
+#include "surfaces.h"
+
+#include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
+#include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
+#include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
+#include <CGAL/Jet_fitting_3/steps/monge_basis.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <tuple>
+
+namespace jets = CGAL::Jet_fitting;
+namespace scale = CGAL::Jet_fitting::scale;
+using survey::Vector;
+
+namespace {
+
+const char* const quantities[] = {"H", "K1", "K2", "normal", "D1"};
+constexpr int number_of_quantities = 5;
+
+// [surface, sigma, quantity]: the best of all, the best of those that use no normals.
+using Published = std::map<std::tuple<std::string, double, std::string>, std::pair<double, double>>;
+
+Published read_published(const char* name)
+{
+  Published published;
+  std::ifstream file(name);
+  if (!file) throw std::runtime_error(std::string(name) + " cannot be read");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string surface, quantity, by;
+    double sigma, all, positions;
+    if (words >> surface >> sigma >> quantity >> all >> by >> positions)
+      published[{surface, sigma, quantity}] = {all, positions};
+  }
+  return published;
+}
+
+double degrees(const Vector& a, const Vector& b)
+{
+  const Vector c = cross(a, b);
+  return std::atan2(std::sqrt(dot(c, c)), std::abs(dot(a, b))) * 180 / std::acos(-1.);
+}
+
+// Errors as the survey has them: curvatures without sign, directions of no meaning where curvatures are equal.
+std::array<double, 5> errors(const jets::Jet<double>& jet, const scale::Local_frame& frame, const survey::Truth& truth)
+{
+  const jets::Monge_basis<double> m = jets::monge_basis(jet, frame.axes);
+  const bool first = std::abs(m.k1) <= std::abs(m.k2);
+  const double k1 = first ? m.k1 : m.k2, k2 = first ? m.k2 : m.k1;
+  const Vector direction = frame.axes.out(first ? m.axes.x : m.axes.y);
+  const bool is_umbilic = std::abs(std::abs(truth.small) - std::abs(truth.large)) < 1e-6;
+  return {std::abs(std::abs(k1 + k2) - std::abs(truth.small + truth.large)) / 2,
+          std::abs(std::abs(k1) - std::abs(truth.small)), std::abs(std::abs(k2) - std::abs(truth.large)),
+          degrees(frame.axes.out(m.axes.z), truth.normal), is_umbilic ? 0 : degrees(direction, truth.direction)};
+}
+
+struct Row
+{
+  std::array<double, 5> rms, median;
+};
+
+struct Within
+{
+  const survey::Grid* grid;
+  const std::vector<Vector>* points;
+  void operator()(std::size_t i, double radius, scale::Indices& near) const { (*grid)((*points)[i], radius, near); }
+};
+
+Row run(const survey::Surface& surface, const std::vector<Vector>& exact, double sigma, bool with_normals,
+        bool one_seed, std::size_t every)
+{
+  survey::Random random(1);
+  std::vector<Vector> points, normals;
+  for (const Vector& p : exact) {
+    const Vector e = random.normal_vector(), f = random.normal_vector();
+    points.push_back(p + sigma * e);
+    normals.push_back(scale::unit_vector(survey::truth(surface, p).normal + 10 * sigma * (one_seed ? e : f)));
+  }
+  const survey::Grid grid(points, .08);
+  const scale::Cloud cloud{points.data(), with_normals ? normals.data() : nullptr, points.size()};
+  const scale::Automatic_scale<Within> automatic(cloud, Within{&grid, &points});
+  jets::Orthogonal_solver<double> solver;
+  scale::Indices near;
+  std::array<std::vector<double>, 5> all;
+  for (std::size_t i = 0; i < points.size(); i += every) {
+    const scale::Point_scale choice = automatic(i, near);
+    const auto e = errors(scale::jet_at_scale(cloud, near, choice, 2, automatic.noise(), solver), choice.frame,
+                          survey::truth(surface, exact[i]));
+    for (std::size_t q = 0; q < e.size(); ++q) all[q].push_back(e[q]);
+  }
+  Row row;
+  for (std::size_t q = 0; q < all.size(); ++q) {
+    double squares = 0;
+    for (const double e : all[q]) squares += e * e;
+    row.rms[q] = std::sqrt(squares / double(all[q].size()));
+    row.median[q] = scale::median(all[q]);
+  }
+  return row;
+}
+
+void print(const std::string& surface, double sigma, const std::string& from, const Row& row,
+           const Published& published)
+{
+  std::printf("%-13s %-6g %-10s", surface.c_str(), sigma, from.c_str());
+  for (std::size_t q = 0; q < number_of_quantities; ++q) {
+    const auto peer = published.find({surface, sigma, quantities[q]});
+    std::printf("  %s %.3g (%.3g)", quantities[q], row.rms[q], row.median[q]);
+    if (peer != published.end()) std::printf(" | %.3g", from == "positions" ? peer->second.second : peer->second.first);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const auto argument = [&](int k, const char* otherwise) { return std::string(argc > k ? argv[k] : otherwise); };
+  if (argc < 2) {
+    std::cerr << "usage: survey PUBLISHED.tsv [SURFACE|all [SIGMA|all [POINTS [EVERY]]]]\n";
+    return 1;
+  }
+  const Published published = read_published(argv[1]);
+  const std::string which = argument(2, "all"), level = argument(3, "all");
+  const std::size_t size = std::stoul(argument(4, "50000")), every = std::stoul(argument(5, "20"));
+  std::vector<double> sigmas{0, .0025, .005, .0075, .01, .015};
+  if (level != "all") sigmas = {std::stod(level)};
+  std::cout << "surface sigma data: quantity RMS (median) | the survey's best\n";
+  for (const auto& [name, surface] : survey::surfaces()) {
+    if (which != "all" && which != name) continue;
+    const std::vector<Vector> exact = survey::spread_points(surface, size);
+    for (const double sigma : sigmas) {
+      print(name, sigma, "positions", run(surface, exact, sigma, false, false, every), published);
+      print(name, sigma, "free", run(surface, exact, sigma, true, false, every), published);
+      if (sigma > 0) print(name, sigma, "seed", run(surface, exact, sigma, true, true, every), published);
+    }
+  }
+}

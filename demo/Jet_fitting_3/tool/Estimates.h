@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEMO_JET_FITTING_3_TOOL_ESTIMATES_H
+#define CGAL_DEMO_JET_FITTING_3_TOOL_ESTIMATES_H
+
+#include "Surface.h"
+
+#include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/Estimation_summary.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace tool {
+
+using Summary = CGAL::Jet_fitting::Estimation_summary<std::size_t>;
+
+// What became of vertex i, or of side i of the vertices at sharp edges: a form, empty where it was skipped, and how
+// good the fit is.
+struct Estimates
+{
+  std::vector<Monge_form> forms;
+  std::vector<CGAL::Jet_fitting::Estimation_status> statuses;
+  std::vector<float> numbers_of_points, condition_numbers, residuals;
+  std::vector<float> biases, deviations, radii;    // of an automatic choice
+  std::vector<std::vector<float>> standard_errors; // one for each coefficient, if asked for
+  std::vector<std::size_t> sides;                  // of the corners of faces, by halfedge
+  Summary summary;
+
+  std::size_t size() const { return forms.size(); }
+
+  std::size_t count(CGAL::Jet_fitting::Status_flag flag) const
+  {
+    return std::size_t(std::count_if(statuses.begin(), statuses.end(), [flag](auto s) { return s.has(flag); }));
+  }
+};
+
+} // namespace tool
+
+#endif // CGAL_DEMO_JET_FITTING_3_TOOL_ESTIMATES_H

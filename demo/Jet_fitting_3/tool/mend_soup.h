@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H
+#define CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H
+
+#include "Surface.h"
+#include "why_not_a_mesh.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tool {
+
+// Six times the volume that the faces enclose with the origin, a fan of triangles for each; of a closed surface with
+// its faces oriented outwards, positive.
+inline double signed_volume(const std::vector<Point>& points, const std::vector<const Corners*>& faces)
+{
+  double sum = 0;
+  const Vector first = points.empty() ? Vector(0, 0, 0) : points.front() - CGAL::ORIGIN;
+  const auto at = [&](std::size_t corner) { return points[corner] - CGAL::ORIGIN - first; };
+  for (const Corners* face : faces)
+    for (std::size_t i = 2; i < face->size(); ++i)
+      sum += CGAL::determinant(at((*face)[0]), at((*face)[i - 1]), at((*face)[i]));
+  return sum;
+}
+
+// The faces by connected components, which corners connect.
+inline std::vector<std::vector<std::size_t>> components(std::size_t number_of_points, const std::vector<Corners>& faces)
+{
+  std::vector<std::size_t> parent(number_of_points);
+  for (std::size_t i = 0; i < number_of_points; ++i) parent[i] = i;
+  const auto root = [&parent](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Corners& face : faces)
+    for (const std::size_t corner : face) parent[root(corner)] = root(face.front());
+  std::vector<std::size_t> number(number_of_points, number_of_points);
+  std::vector<std::vector<std::size_t>> found;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::size_t& n = number[root(faces[f].front())];
+    if (n == number_of_points) {
+      n = found.size();
+      found.emplace_back();
+    }
+    found[n].push_back(f);
+  }
+  return found;
+}
+
+// Orients the faces alike, and gives parts that meet in an edge or a vertex only points of their own. Components are
+// turned outwards as if they were closed. The points that were there keep their numbers. \return what was done
+inline std::string mend_soup(std::vector<Point>& points, std::vector<Corners>& faces, const std::string& why)
+{
+  const std::size_t before = points.size();
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, faces);
+  for (const std::vector<std::size_t>& component : components(points.size(), faces)) {
+    std::vector<const Corners*> its_faces;
+    for (const std::size_t f : component) its_faces.push_back(&faces[f]);
+    if (signed_volume(points, its_faces) >= 0) continue;
+    for (const std::size_t f : component) std::reverse(faces[f].begin(), faces[f].end());
+  }
+  std::string done = why + "; the faces were oriented alike";
+  if (points.size() > before)
+    done += ", and " + std::to_string(points.size() - before) +
+            " points were doubled where parts touch: they follow the " + std::to_string(before) + " of the file";
+  return done;
+}
+
+} // namespace tool
+
+#endif // CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DEMO_JET_FITTING_3_TOOL_ORIENT_POINTS_H
+#define CGAL_DEMO_JET_FITTING_3_TOOL_ORIENT_POINTS_H
+
+#include "Surface.h"
+#include "Estimates.h"
+
+#include <CGAL/mst_orient_normals.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace tool {
+
+// Turns the forms of points that came without normals so that neighbors agree: CGAL carries the orientation over a
+// minimum spanning tree, for each connected part from its highest point, which looks upwards. \return how many forms
+// were reached
+inline std::size_t orient_points(const Mesh& points, std::vector<Monge_form>& forms)
+{
+  constexpr unsigned int neighbors = 18; // as in CGAL's examples
+  constexpr int most_parts = 20;
+  std::vector<Vertex> order;
+  std::vector<Vector> normals(forms.size());
+  for (Vertex v : points.vertices()) {
+    if (forms[v].coefficients().empty()) continue;
+    order.push_back(v);
+    normals[v] = forms[v].normal_direction();
+  }
+  const auto numbers = boost::make_function_property_map<Vertex>([](Vertex v) { return std::size_t(v); });
+  const auto normal_map = boost::make_iterator_property_map(normals.begin(), numbers);
+  std::size_t oriented = 0;
+  for (int part = 0; part < most_parts && order.size() > neighbors; ++part) {
+    const auto rest = CGAL::mst_orient_normals(
+        order, neighbors, CGAL::parameters::point_map(points.points()).normal_map(normal_map).geom_traits(Kernel()));
+    for (auto i = order.begin(); i != rest; ++i) forms[*i].comply_wrt_given_normal(normals[*i]);
+    oriented += std::size_t(rest - order.begin());
+    order.erase(order.begin(), rest);
+  }
+  return oriented;
+}
+
+} // namespace tool
+
+#endif // CGAL_DEMO_JET_FITTING_3_TOOL_ORIENT_POINTS_H

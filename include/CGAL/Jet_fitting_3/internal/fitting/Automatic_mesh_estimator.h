@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_MESH_ESTIMATOR_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_MESH_ESTIMATOR_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Order_choice.h>
+#include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
+#include <CGAL/Jet_fitting_3/scale/jet_of_disk.h>
+#include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Of which order forms are, and the highest degree of the fits of which they are made.
+struct Automatic_degrees
+{
+  std::size_t order, highest;
+};
+
+/// Calls body(k) for each k below count, a few at a time, with a body for each thread.
+template <class ConcurrencyTag>
+struct For_each_with_body
+{
+  template <class Make_body>
+  void operator()(std::size_t count, const Make_body& make_body) const
+  {
+    constexpr std::size_t at_a_time = 8;
+    const auto make_worker = [&] {
+      return [body = make_body()](std::size_t first, std::size_t last) mutable {
+        for (; first < last; ++first) body(first);
+        return true;
+      };
+    };
+    for_each_block<ConcurrencyTag>(count, make_worker, at_a_time);
+  }
+};
+
+/// Of all vertices: what is learned once, and asked by all threads. Its vertices are the nodes of the adjacency.
+template <class Kernel>
+class Learned_surface
+{
+  struct Neighbors
+  {
+    const Adjacency* adjacency;
+    Adjacency::Row operator()(std::size_t node) const { return (*adjacency)[static_cast<Index>(node)]; }
+  };
+
+public:
+  using Surface = averaging::Surface_points<Neighbors>;
+  using Walker = averaging::Walker<Neighbors>;
+
+  /// All derivatives at a vertex, in a frame of its own.
+  struct Result
+  {
+    averaging::Second_order_estimate second;
+    Jet<double> jet;             ///< in the unit of the points
+    double third_order_risk = 0; ///< squared error of a third derivative, as estimated
+    bool exists = false;
+  };
+
+  template <class ConcurrencyTag, class Tables>
+  Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
+    : m_degrees(degrees), m_points(points(tables)),
+      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, averaging::rounds_of_smoothing(0))),
+      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_unit(averaging::mean_edge(m_surface)),
+      m_noise(noise(tables.points, options)),
+      m_choice(with_smoother_normals(), m_noise, m_unit, degrees.highest, For_each_with_body<ConcurrencyTag>())
+  {
+    const double variance = averaging::variance_in_units(m_noise, m_unit);
+    for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
+      m_higher.emplace_back(m_surface, variance, m_unit, order, degrees.highest, For_each_with_body<ConcurrencyTag>());
+  }
+
+  Learned_surface(const Learned_surface&) = delete; // its parts refer to each other
+
+  Walker walker() const { return Walker(m_surface); }
+
+  template <class Solver>
+  Result estimate(Walker& walker, Index i, Solver& solver) const
+  {
+    Result result{m_choice.estimate(walker, i), Jet<double>((std::max)(m_degrees.order, std::size_t(2)))};
+    const averaging::Second_order_estimate& second = result.second;
+    if (!second.exists) return result;
+    result.jet(1, 0) = second.x;
+    result.jet(0, 1) = second.y;
+    result.jet(2, 0) = second.xx;
+    result.jet(1, 1) = second.xy;
+    result.jet(0, 2) = second.yy;
+    for (std::size_t k = 0; k < m_higher.size(); ++k) {
+      const averaging::Order_estimate higher = m_higher[k].estimate(walker, i, second.frame);
+      if (!higher.exists()) return result;
+      std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
+      if (k == 0) result.third_order_risk = higher.variance + higher.squared_bias;
+    }
+    result.exists =
+        m_degrees.order <= 4 || averaging::add_higher_orders(m_surface, walker, i, second.frame,
+                                                             averaging::largest_radius * m_unit, solver, result.jet);
+    return result;
+  }
+
+private:
+  /// In units; a point that is not finite has no edges, and may be anywhere.
+  template <class Tables>
+  static std::vector<Vector_3<double>> points(const Tables& tables)
+  {
+    const Index origin = tables.points.first_finite();
+    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 0});
+    for (Index node = 0; node < result.size(); ++node) {
+      const Index i = tables.adjacency.vertex(node);
+      if (tables.points.is_finite(i)) result[node] = tables.points.offset_in_units(origin, i);
+    }
+    return result;
+  }
+
+  template <class Tables>
+  static std::vector<Vector_3<double>> normals(const Tables& tables)
+  {
+    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 1});
+    for (Index node = 0; node < result.size(); ++node) {
+      const Vector_3<float> packed = tables.normals[node];
+      const Vector_3<double> n{packed.x, packed.y, packed.z};
+      if (dot(n, n) > 0) result[node] = 1 / std::sqrt(dot(n, n)) * n;
+    }
+    return result;
+  }
+
+  /// In units: the given one, or that of the mesh.
+  double noise(const Point_table<Kernel>& table, const Options& options) const
+  {
+    if (options.position_noise) return *options.position_noise * table.per_length();
+    const double in_edges = m_unit > 0 ? averaging::noise_of_surface(m_surface, m_unit) : INFINITY;
+    if (!std::isfinite(in_edges))
+      throw Invalid_input("automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
+                          " vertices: there are too few within three rings. Options::position_noise gives it");
+    return in_edges * m_unit;
+  }
+
+  const Surface& with_smoother_normals()
+  {
+    const int more = averaging::rounds_of_smoothing(m_noise / m_unit) - averaging::rounds_of_smoothing(0);
+    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, more);
+    return m_surface;
+  }
+
+  Automatic_degrees m_degrees;
+  std::vector<Vector_3<double>> m_points, m_normals;
+  Surface m_surface;
+  double m_unit, m_noise;
+  averaging::Surface_choice<Neighbors> m_choice;
+  std::vector<averaging::Order_choice<Neighbors>> m_higher; // orders 3 and 4
+};
+
+/// Estimates forms as means of fits at radii and degrees that are chosen for each vertex. A row is a node of the
+/// adjacency alone. Each thread has a copy.
+template <class Kernel>
+class Automatic_mesh_estimator
+{
+  using Result = Estimated_form<Kernel>;
+
+public:
+  /// \throw Invalid_input if the mesh is too small, or options are set that have no use here
+  template <class ConcurrencyTag, class Tables>
+  Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Automatic_degrees& degrees,
+                           const Options& options)
+    : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order)
+  {
+    check_options_for_automatic(options);
+    if (options.use_normals) throw Invalid_input("automatic() on a mesh takes no normals as data yet");
+    if (degrees.highest < 2) throw Invalid_input("automatic() needs a degree_fitting of 2 or more: got 1");
+    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, degrees, options);
+    m_walker = std::make_shared<Walker>(m_learned->walker());
+  }
+
+  Automatic_mesh_estimator(const Automatic_mesh_estimator& other)
+    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_dprime(other.m_dprime), m_learned(other.m_learned),
+      m_walker(std::make_shared<Walker>(m_learned->walker()))
+  {}
+
+  bool reports_quality() const { return true; }
+  static constexpr std::size_t rows_at_a_time() { return 1; }
+
+  /// Storage of `results` is used again.
+  void operator()(const Neighborhood_block& block, std::vector<Result>& results)
+  {
+    results.resize(block.size());
+    for (std::size_t row = 0; row < block.size(); ++row) estimate(block[row][0], results[row]);
+  }
+
+private:
+  using Walker = typename Learned_surface<Kernel>::Walker;
+
+  void estimate(Index node, Result& result)
+  {
+    const Index i = m_adjacency.vertex(node);
+    result = {};
+    if (!m_points.is_finite(i)) {
+      result.status = Status_flag::not_finite;
+      return;
+    }
+    const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, m_solver);
+    if (!chosen.exists) {
+      result.status = Status_flag::too_few_points;
+      return;
+    }
+    Local_estimate<double> e{};
+    e.fitting.axes = chosen.second.frame.axes;
+    e.fit.jet = chosen.jet;
+    set_monge_form(e, m_dprime);
+    Chosen_scale scale;
+    scale.bias = std::sqrt(chosen.second.squared_bias / 2);
+    scale.standard_deviation = std::sqrt(chosen.second.variance / 2);
+    scale.third_order_error = std::sqrt(chosen.third_order_risk);
+    set_automatic_result(result, m_points, i, e, scale, m_points.per_length());
+  }
+
+  const Point_table<Kernel>& m_points;
+  const Adjacency& m_adjacency;
+  std::size_t m_dprime;
+  std::shared_ptr<const Learned_surface<Kernel>> m_learned;
+  std::shared_ptr<Walker> m_walker;
+  Orthogonal_solver<double> m_solver;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_MESH_ESTIMATOR_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_POINT_ESTIMATOR_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_POINT_ESTIMATOR_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Ball_search.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/scale/Cloud_scale.h>
+#include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Of all points: what is learned once, and asked by all threads.
+template <class Kernel>
+class Learned_scale
+{
+  using Tables = Sample_tables<Kernel>;
+  using Search = Ball_search<typename Tables::Number>;
+
+public:
+  template <class ConcurrencyTag>
+  Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, const Options& options)
+    : m_places(offsets_from_middle(tables)), m_per_length(brought_to_unit_size(m_places)), m_normals(values(normals)),
+      m_search(tables.samples, m_per_length),
+      m_scale(m_places, m_normals, std::cref(m_search), For_each<ConcurrencyTag>(), noise(options))
+  {}
+
+  const auto& scale() const { return m_scale; }
+  /// How many units one length is.
+  double per_length() const { return m_per_length; }
+
+private:
+  template <class ConcurrencyTag>
+  struct For_each
+  {
+    template <class Body>
+    void operator()(std::size_t count, const Body& body) const
+    {
+      // each takes long: a block, which is of so many numbers, has eight of them
+      constexpr std::size_t numbers_of_one = 128;
+      static_assert(block_size % numbers_of_one == 0, "no body is divided");
+      for_each_block<ConcurrencyTag>(count * numbers_of_one, [&] {
+        return [&](std::size_t first, std::size_t last) {
+          for (std::size_t k = first / numbers_of_one; k < last / numbers_of_one; ++k) body(k);
+          return true;
+        };
+      });
+    }
+  };
+
+  static std::vector<Vector_3<double>> offsets_from_middle(const Tables& tables)
+  {
+    std::vector<Vector_3<double>> result(tables.size());
+    if (tables.size() == 0) return result;
+    const auto middle = tables.points.middle();
+    for (Index s = 0; s < tables.size(); ++s) result[s] = tables.points.template offset<double>(middle, s);
+    return result;
+  }
+
+  /// In a unit in which half of them are of size 1 at most. Places that are very far away are brought to where squares
+  /// do not overflow. \return how many units one length is
+  static double brought_to_unit_size(std::vector<Vector_3<double>>& places)
+  {
+    std::vector<double> sizes;
+    for (const Vector_3<double>& p : places) sizes.push_back((std::max)({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    if (sizes.empty()) return 1;
+    const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+    std::nth_element(sizes.begin(), median, sizes.end());
+    const double per_length = 1 / numeric::power_of_two_above(*median), most = 0x1p300;
+    const auto in_units = [&](double x) { return (std::min)((std::max)(per_length * x, -most), most); };
+    for (Vector_3<double>& p : places) p = {in_units(p.x), in_units(p.y), in_units(p.z)};
+    return per_length;
+  }
+
+  static std::vector<Vector_3<double>> values(const Unit_normals& normals)
+  {
+    std::vector<Vector_3<double>> result;
+    for (Index i = 0; i < normals.size(); ++i) result.push_back(normals[i]);
+    return result;
+  }
+
+  /// The noise that the user gives, in units.
+  std::optional<Noise> noise(const Options& options) const
+  {
+    if (!options.position_noise) return std::nullopt;
+    Noise given;
+    given.position = *options.position_noise * m_per_length;
+    given.normal = options.normal_noise.value_or(0);
+    return given;
+  }
+
+  std::vector<Vector_3<double>> m_places; // of the samples, in units
+  double m_per_length;
+  std::vector<Vector_3<double>> m_normals;
+  Search m_search;
+  scale::Cloud_scale<std::reference_wrapper<const Search>> m_scale;
+};
+
+/// Estimates forms at radii and degrees that are chosen for each sample. A row is the sample alone: its neighbors are
+/// sought here. Each thread has a copy.
+template <class Kernel>
+class Automatic_point_estimator
+{
+  using Result = Estimated_form<Kernel>;
+
+public:
+  /// \throw Invalid_input if there are too few points, or options are set that have no use here
+  template <class ConcurrencyTag>
+  Automatic_point_estimator(ConcurrencyTag tag, const Sample_tables<Kernel>& tables, const Unit_normals& normals,
+                            std::size_t dprime, const Options& options)
+    : m_points(tables.points), m_dprime(dprime)
+  {
+    check_options_for_automatic(options);
+    m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, options);
+  }
+
+  bool reports_quality() const { return true; }
+  static constexpr std::size_t rows_at_a_time() { return 1; }
+
+  /// Storage of `results` is used again.
+  void operator()(const Neighborhood_block& block, std::vector<Result>& results)
+  {
+    results.resize(block.size());
+    for (std::size_t row = 0; row < block.size(); ++row) estimate(block[row][0], results[row]);
+  }
+
+private:
+  void estimate(Index i, Result& result)
+  {
+    const std::size_t order = (std::max)(m_dprime, std::size_t(2));
+    const scale::Estimate_at_scale chosen = m_learned->scale().estimate(i, order, m_solver, m_near);
+    Local_estimate<double> e{};
+    e.origin = chosen.origin;
+    e.monge_axes = chosen.monge_axes;
+    e.coefficients = chosen.coefficients;
+    e.coefficients.resize(number_of_monge_coefficients(m_dprime));
+    set_automatic_result(result, m_points, i, e, of_curvatures(chosen.choice), m_learned->per_length());
+  }
+
+  /// The root of the mean of the squares of the radii, and the like, over the two curvatures.
+  static Chosen_scale of_curvatures(const scale::Point_scale& chosen)
+  {
+    const scale::Choice &x = chosen.curvatures[0], &y = chosen.curvatures[2];
+    return {std::sqrt((x.radius * x.radius + y.radius * y.radius) / 2), (std::max)(x.degree, y.degree),
+            std::sqrt((x.squared_bias + y.squared_bias) / 2), std::sqrt((x.variance + y.variance) / 2)};
+  }
+
+  const Point_table<Kernel>& m_points;
+  std::size_t m_dprime;
+  std::shared_ptr<const Learned_scale<Kernel>> m_learned;
+  scale::Indices m_near;
+  Orthogonal_solver<double> m_solver;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_AUTOMATIC_POINT_ESTIMATOR_H

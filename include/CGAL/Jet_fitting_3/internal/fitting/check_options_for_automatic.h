@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_CHECK_OPTIONS_FOR_AUTOMATIC_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_CHECK_OPTIONS_FOR_AUTOMATIC_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// \throw Invalid_input if options are set that automatic() has no use for
+inline void check_options_for_automatic(const Options& options)
+{
+  if (options.loss != Loss::least_squares || options.weights_by_distance() || !options.point_weights.empty())
+    throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss, no weights");
+  if (options.standard_errors)
+    throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_CHECK_OPTIONS_FOR_AUTOMATIC_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_SET_AUTOMATIC_RESULT_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_SET_AUTOMATIC_RESULT_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Estimation_summary.h>
+#include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/assess.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The result at point i of what automatic() has found there: the form of the estimate, and the scale that was chosen.
+/// \param e, scale in units, of which `per_length` make one length
+template <class Kernel>
+void set_automatic_result(Estimated_form<Kernel>& result, const Point_table<Kernel>& points, Index i,
+                          Local_estimate<double>& e, const Chosen_scale& scale, double per_length)
+{
+  const double unit = 1 / per_length;
+  measure_in_smaller_unit(e, unit);
+  result = {};
+  result.status = has_finite_form(e) ? Status_flag::estimated : Status_flag::not_finite;
+  if (!result.status.is_estimated()) return;
+  assign(result.form, e, points[i], Exact_first_converter<double, typename Kernel::FT>());
+  Fit_quality quality;
+  quality.scale = {unit * scale.radius, scale.degree, scale.bias / unit, scale.standard_deviation / unit,
+                   scale.third_order_error / (unit * unit)};
+  result.quality.push_back(quality);
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_SET_AUTOMATIC_RESULT_H

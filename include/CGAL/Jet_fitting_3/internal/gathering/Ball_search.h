@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_GATHERING_BALL_SEARCH_H
+#define CGAL_JET_FITTING_3_INTERNAL_GATHERING_BALL_SEARCH_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/gathering/Neighbor_search.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The samples in a ball around a sample, as a function object that several threads may call. Each call borrows one of
+/// the searches, which own buffers.
+template <class Number>
+class Ball_search
+{
+  using Search = Neighbor_search<Number>;
+  using Indices = std::vector<std::size_t>;
+
+public:
+  /// \param per_length how many units one length is: radii are given in units
+  Ball_search(const Sample_set<Number>& samples, double per_length) : m_samples(samples), m_per_length(per_length) {}
+
+  /// Replaces `found` by the sample and those of its side in the ball, in the order of the tree.
+  void operator()(std::size_t sample, double radius, Indices& found) const
+  {
+    found.clear();
+    std::unique_ptr<Search> search = borrowed();
+    Rows rows{found, {}};
+    const Index s = static_cast<Index>(sample);
+    search->within_radius(s, s + 1, radius / m_per_length, m_samples, rows);
+    const std::lock_guard<Spin_mutex> lock(m_mutex);
+    m_idle.push_back(std::move(search));
+  }
+
+private:
+  struct Rows
+  {
+    Indices& found;
+    std::vector<Index> row;
+
+    template <class Gather>
+    void add_row(const Gather& gather)
+    {
+      gather(row);
+      found.assign(row.begin(), row.end());
+    }
+  };
+
+  std::unique_ptr<Search> borrowed() const
+  {
+    const std::lock_guard<Spin_mutex> lock(m_mutex);
+    if (m_idle.empty()) return std::make_unique<Search>(m_samples.tree());
+    std::unique_ptr<Search> search = std::move(m_idle.back());
+    m_idle.pop_back();
+    return search;
+  }
+
+  const Sample_set<Number>& m_samples;
+  double m_per_length;
+  mutable Spin_mutex m_mutex;
+  mutable std::vector<std::unique_ptr<Search>> m_idle;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_GATHERING_BALL_SEARCH_H

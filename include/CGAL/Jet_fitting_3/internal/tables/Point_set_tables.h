@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_TABLES_POINT_SET_TABLES_H
+#define CGAL_JET_FITTING_3_INTERNAL_TABLES_POINT_SET_TABLES_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Whether a range has point and normal maps, as Point_set_3 does.
+template <class Range, class = void>
+struct Brings_maps : std::false_type
+{};
+
+template <class Range>
+struct Brings_maps<Range, std::void_t<decltype(std::declval<const Range&>().point_map()),
+                                      decltype(std::declval<const Range&>().has_normal_map()),
+                                      decltype(std::declval<const Range&>().normal_map())>> : std::true_type
+{};
+
+struct No_normals
+{};
+
+template <class Range, class NamedParameters>
+auto point_map_of(const Range& range, const NamedParameters& np)
+{
+  using Item = typename std::iterator_traits<decltype(std::begin(range))>::value_type;
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value)
+    return parameters::get_parameter(np, internal_np::point_map);
+  else if constexpr (Brings_maps<Range>::value) return range.point_map();
+  else return Identity_property_map<const Item>();
+}
+
+template <class Range, class NamedParameters>
+auto normal_map_of(const Range& range, const NamedParameters& np)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+    return parameters::get_parameter(np, internal_np::normal_map);
+  else if constexpr (Brings_maps<Range>::value) return range.normal_map();
+  else return No_normals();
+}
+
+template <class Range, class NamedParameters>
+using Point_of_range = std::remove_cv_t<typename boost::property_traits<
+    decltype(point_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>()))>::value_type>;
+
+template <class Range, class NamedParameters>
+using Kernel_of_range = typename internal_np::Lookup_named_param_def<
+    internal_np::geom_traits_t, NamedParameters,
+    typename Kernel_traits<Point_of_range<Range, NamedParameters>>::Kernel>::type;
+
+/// What the estimation at the points of a range needs of it: compact tables, by position in the range.
+template <class PointKernel>
+struct Point_set_tables
+{
+  using Kernel = PointKernel;
+  using Item = std::size_t;
+
+  Point_table<Kernel> points;
+  Normal_table normals; ///< all unknown where the range has none
+
+  std::size_t size() const { return points.size(); }
+  Item item(Index i) const { return i; }
+  Index index(Item i) const { return i < size() ? static_cast<Index>(i) : no_index; }
+};
+
+template <class Range, class NamedParameters>
+auto read_points(const Range& range, const NamedParameters& np)
+{
+  const auto size = static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
+  if (size >= most_vertices)
+    throw Invalid_input("a set of " + std::to_string(size) + " points is too large: the limit is " +
+                        std::to_string(most_vertices - 1));
+  const auto point_map = point_map_of(range, np);
+  auto item = std::begin(range);
+  const auto next_point = [&](Index) {
+    const Point_of_range<Range, NamedParameters> p = get(point_map, *item);
+    ++item;
+    return p;
+  };
+  return Point_table<Kernel_of_range<Range, NamedParameters>>(Sequential_tag(), Sequential_tag(), size, next_point);
+}
+
+template <class Range, class NamedParameters>
+Normal_table read_normals(const Range& range, const NamedParameters& np, std::size_t size)
+{
+  Normal_table normals(size);
+  if constexpr (!std::is_same<decltype(normal_map_of(range, np)), No_normals>::value) {
+    if constexpr (Brings_maps<Range>::value)
+      if (!range.has_normal_map()) return normals;
+    const auto normal_map = normal_map_of(range, np);
+    Index i = 0;
+    for (const auto& item : range) normals.set(i++, get(normal_map, item));
+  }
+  return normals;
+}
+
+/// Whether there is a map of normals, or may be one.
+template <class Range, class NamedParameters>
+using May_have_normals = std::bool_constant<!std::is_same<
+    decltype(normal_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>())), No_normals>::value>;
+
+/// The given normals as data. \throw Invalid_input if there are none
+template <class Range, class NamedParameters>
+Unit_normals read_unit_normals(const Range& range, const NamedParameters& np, std::size_t size)
+{
+  if constexpr (May_have_normals<Range, NamedParameters>::value) {
+    bool has_normals = true;
+    if constexpr (Brings_maps<Range>::value)
+      if (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+        has_normals = range.has_normal_map();
+    if (has_normals) {
+      const auto normal_map = normal_map_of(range, np);
+      auto item = std::begin(range);
+      return Unit_normals(size, [&](Index) { return get(normal_map, *item++); });
+    }
+  }
+  throw Invalid_input("Options::use_normals needs a normal_map");
+}
+
+/// Copies what is needed of a range into tables, once for each call.
+template <class Range, class NamedParameters>
+Point_set_tables<Kernel_of_range<Range, NamedParameters>> point_set_tables(const Range& range,
+                                                                           const NamedParameters& np)
+{
+  auto points = read_points(range, np);
+  Normal_table normals = read_normals(range, np, points.size());
+  return {std::move(points), std::move(normals)};
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_TABLES_POINT_SET_TABLES_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NEIGHBORHOODS_AUTOMATIC_H
+#define CGAL_JET_FITTING_3_NEIGHBORHOODS_AUTOMATIC_H
+
+#include <CGAL/Jet_fitting_3/scale/Automatic.h>
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// \ingroup PkgJetFitting3Neighborhoods
+/// Radius and degree chosen from the data, for each point or vertex: nothing is to be guessed.
+///
+/// For a point set the noise of the
+/// whole set is estimated (or given, by Options::position_noise and normal_noise); for a subsample, jets of degrees 2 and
+/// 4 in balls of many radii are compared, which tells their bias; each point takes those with the least bias and
+/// variance, the normal and each second derivative in principal axes for itself. With Options::use_normals the jets are
+/// fitted to positions and normals.
+///
+/// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods of 2 to 16 mean edges are
+/// averaged, with the weights of least variance and bias; the noise is estimated or given likewise. Orders 3 and 4 have
+/// weights of their own, from degrees 3 and 5, 4 and 6, and up to 24 edges; orders above 4 come from one fit of degree
+/// `degree_monge`. The origin is the vertex itself. `degree_fitting`, if it is given, is the highest degree that is
+/// tried; without it `degree_monge` may be any.
+///
+/// For a point set `degree_fitting` is not asked, but for the default of `degree_monge`, and coefficients of orders
+/// above 2 come from one fit, in the ball that was chosen for the larger curvature. Estimation_summary::quality() tells
+/// bias and standard deviation of the curvatures; for point sets radius and degree; for meshes the error of third order
+/// coefficients. Weights, robust losses and standard errors are refused.
+inline Automatic automatic() { return Automatic(); }
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NEIGHBORHOODS_AUTOMATIC_H

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_AUTOMATIC_H
+#define CGAL_JET_FITTING_3_SCALE_AUTOMATIC_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+namespace CGAL {
+namespace Jet_fitting {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// \ingroup PkgJetFitting3Neighborhoods
+/// A neighborhood whose size, and with it the degree of the jets, is chosen for each point from the data: see
+/// automatic().
+class Automatic
+{};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_AUTOMATIC_H

@@ -1,0 +1,326 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_BIAS_MODEL_H
+#define CGAL_JET_FITTING_3_SCALE_BIAS_MODEL_H
+
+#include <CGAL/Jet_fitting_3/scale/Candidate.h>
+#include <CGAL/Jet_fitting_3/scale/least_risk.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// All candidates at one place, in the order of the ladder, with those that do not exist.
+using Candidates = std::vector<Candidate>;
+
+/// Two candidates that are compared, by their numbers.
+struct Pair
+{
+  std::size_t first, second;
+};
+
+/// Radii and degrees, and which candidates are compared: the same degree two and four steps down, the next degree at
+/// the same radius and two steps down and up. Candidate i * radii.size() + j has degree i and radius j.
+struct Ladder
+{
+  std::vector<double> radii;
+  std::vector<std::size_t> degrees;
+  std::vector<Pair> pairs;
+
+  std::size_t size() const { return degrees.size() * radii.size(); }
+  std::size_t shell(std::size_t candidate) const { return candidate % radii.size(); }
+  std::size_t degree(std::size_t candidate) const { return degrees[candidate / radii.size()]; }
+};
+
+inline Ladder ladder_of(std::vector<double> radii, std::vector<std::size_t> degrees)
+{
+  Ladder ladder{std::move(radii), std::move(degrees), {}};
+  const std::size_t n = ladder.radii.size();
+  for (std::size_t i = 0; i < ladder.degrees.size(); ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t own = i * n + j;
+      if (j >= 2) ladder.pairs.push_back({own, own - 2});
+      if (j >= 4) ladder.pairs.push_back({own, own - 4});
+      if (i + 1 == ladder.degrees.size()) continue;
+      ladder.pairs.push_back({own, own + n});
+      if (j >= 2) ladder.pairs.push_back({own, own + n - 2});
+      if (j + 2 < n) ladder.pairs.push_back({own, own + n + 2});
+    }
+  return ladder;
+}
+
+/// What the difference of two candidates says.
+struct Comparison
+{
+  double excess = 0;    ///< its square less its variance: its squared bias, but for noise
+  double variance = -1; ///< negative: one of both does not exist
+  Of_orders terms{};    ///< squared bias per variance of the terms of each order
+
+  bool exists() const { return variance >= 0; }
+};
+
+inline Comparison compare(const Candidate& a, const Candidate& b, const Target& target, double square_of_noise)
+{
+  Comparison result;
+  if (!a || !b) return result;
+  double square = 0, size = 0;
+  for (std::size_t i = target.first; i < target.last; ++i) {
+    square += (a.rows[i].value - b.rows[i].value) * (a.rows[i].value - b.rows[i].value);
+    size += a.rows[i].value * a.rows[i].value;
+  }
+  const double sum = covariance(a, a, target) + covariance(b, b, target) - 2 * covariance(a, b, target);
+  const double variance = square_of_noise * std::max(0., sum);
+  result.excess = square - variance;
+  result.variance = std::max(variance, 1e-18 * size + 1e-200);
+  const Of_orders aa = error_products(a, a, target), bb = error_products(b, b, target),
+                  ab = error_products(a, b, target);
+  for (std::size_t k = 0; k < aa.size(); ++k) result.terms[k] = aa[k] + bb[k] - 2 * ab[k];
+  return result;
+}
+
+using Comparisons = std::vector<Comparison>;
+
+inline Comparisons compare_all(const Candidates& candidates, const Ladder& ladder, const Target& target,
+                               double square_of_noise)
+{
+  Comparisons result;
+  for (const Pair& pair : ladder.pairs)
+    result.push_back(compare(candidates[pair.first], candidates[pair.second], target, square_of_noise));
+  return result;
+}
+
+/// The bias of candidates: variances of the surface's terms, order by order, and for each candidate a lower bound of
+/// its squared bias.
+struct Bias_model
+{
+  Of_orders terms{};
+  std::vector<double> least;
+};
+
+/// Squared bias by the terms alone.
+inline double squared_bias(const Of_orders& terms, const Of_orders& per_variance)
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < terms.size(); ++k) sum += terms[k] * per_variance[k];
+  return sum;
+}
+
+/// Solves min |A x - y| for x >= 0, up to three unknowns, from the normal equations: by trying which are 0.
+inline std::array<double, 3> nonnegative_solution(const std::array<std::array<double, 3>, 3>& a,
+                                                  const std::array<double, 3>& y)
+{
+  std::array<double, 3> best{};
+  double least = 0;
+  for (unsigned set = 1; set < 8; ++set) {
+    double m[3][4] = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool in = (set >> i & 1) && a[i][i] > 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        m[i][k] = in && (set >> k & 1) && a[k][k] > 0 ? a[i][k] / std::sqrt(a[i][i] * a[k][k]) : i == k;
+      m[i][3] = in ? y[i] / std::sqrt(a[i][i]) : 0;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (k == i) continue;
+        const double f = m[k][i] / m[i][i];
+        for (std::size_t l = i; l < 4; ++l) m[k][l] -= f * m[i][l];
+      }
+    std::array<double, 3> x{};
+    double value = 0;
+    bool feasible = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(a[i][i] > 0)) continue;
+      x[i] = m[i][3] / m[i][i] / std::sqrt(a[i][i]);
+      feasible = feasible && x[i] >= 0;
+      value -= x[i] * y[i] / 2;
+    }
+    if (feasible && value < least) {
+      least = value;
+      best = x;
+    }
+  }
+  return best;
+}
+
+/// What a patch says: the members' comparisons in the mean, with standard errors in place of variances.
+inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Ladder& ladder,
+                               double patch_radius, const Target& target)
+{
+  Comparisons means(ladder.pairs.size());
+  std::vector<double> weights(means.size());
+  std::vector<std::size_t> counts(means.size());
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < means.size(); ++t) {
+      const Comparison& c = (*member)[t];
+      if (!c.exists()) continue;
+      const double w = 1 / (c.variance * c.variance);
+      weights[t] += w;
+      ++counts[t];
+      means[t].excess += w * c.excess;
+      for (std::size_t k = 0; k < c.terms.size(); ++k) means[t].terms[k] += w * c.terms[k];
+    }
+  for (std::size_t t = 0; t < means.size(); ++t) {
+    Comparison& mean = means[t];
+    if (counts[t] <= members.size() / 3) continue;
+    mean.excess /= weights[t];
+    for (double& term : mean.terms) term /= weights[t];
+    const double ratio = patch_radius / ladder.radii[ladder.shell(ladder.pairs[t].first)];
+    const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
+    // the square of one normal variable varies more than that of three
+    mean.variance = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
+  }
+  return means;
+}
+
+/// The model for derivatives of the given order from what a patch says, by nonnegative least squares; every comparison
+/// counts with its standard error or half its size, whichever is more. Free are the variances of every other order
+/// (disks do not see the others), which are the geometric means of their neighbors. An analytic surface's terms fall
+/// about as a power of the order: where comparisons are silent this gives the least that is assumed.
+/// \param own the variance of the order's own terms
+class Bias_fit
+{
+public:
+  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own)
+    : m_means(means), m_ladder(ladder), m_order(order)
+  {
+    m_model.terms[order] = own;
+    start();
+    for (int round = 0; round < 5; ++round) improve();
+    m_model.terms[order] = 0; // is no bias
+    bound();
+  }
+
+  const Bias_model& model() const { return m_model; }
+
+private:
+  // Medians of what the candidates say one by one that the order following theirs is the first to disturb.
+  void start()
+  {
+    for (std::size_t k = m_order + 2; k <= highest_order; k += 2) {
+      std::vector<double> ratios;
+      for (std::size_t t = 0; t < m_means.size(); ++t)
+        if (m_means[t].exists() && m_means[t].terms[k] > 0 && m_ladder.degree(m_ladder.pairs[t].first) + 2 == k)
+          ratios.push_back(m_means[t].excess / m_means[t].terms[k]);
+      if (ratios.empty()) continue;
+      const auto median = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
+      std::nth_element(ratios.begin(), median, ratios.end());
+      m_model.terms[k] = std::max(0., *median);
+    }
+  }
+
+  void improve()
+  {
+    std::array<std::array<double, 3>, 3> a{};
+    std::array<double, 3> y{};
+    for (const Comparison& c : m_means) {
+      if (!c.exists()) continue;
+      const double predicted = squared_bias(m_model.terms, c.terms), size = std::max({0., c.excess, predicted});
+      const double w = 1 / (c.variance * c.variance + size * size / 4);
+      double known = 0;
+      for (std::size_t k = m_order + 1; k <= highest_order; k += 2) known += m_model.terms[k] * c.terms[k];
+      for (std::size_t i = 0; m_order + 2 + 2 * i <= highest_order; ++i) {
+        y[i] += w * c.terms[m_order + 2 + 2 * i] * (c.excess - known);
+        for (std::size_t k = 0; m_order + 2 + 2 * k <= highest_order; ++k)
+          a[i][k] += w * c.terms[m_order + 2 + 2 * i] * c.terms[m_order + 2 + 2 * k];
+      }
+    }
+    const auto x = nonnegative_solution(a, y);
+    Of_orders& terms = m_model.terms;
+    for (std::size_t i = 0, k = m_order + 2; k <= highest_order; ++i, k += 2) {
+      const double least = i > 0 && terms[k - 4] > 0 ? terms[k - 2] * terms[k - 2] / terms[k - 4] : 0;
+      terms[k] = std::max(x[i], i > 0 ? 0.1 * least : 0.);
+      terms[k - 1] = std::sqrt(terms[k] * terms[k - 2]);
+    }
+    const std::size_t k = highest_order; // the last may have a neighbor on one side only
+    if ((k - m_order) % 2 == 1) terms[k] = terms[k - 2] > 0 ? terms[k - 1] * terms[k - 1] / terms[k - 2] : 0;
+  }
+
+  void bound()
+  {
+    m_model.least.assign(m_ladder.size(), 0);
+    for (std::size_t t = 0; t < m_means.size(); ++t) raise(m_model, m_ladder, t, m_means[t], 2);
+  }
+
+public:
+  /// The first of a pair errs by their difference at least, less so many standard errors, if the second is no larger.
+  static void raise(Bias_model& model, const Ladder& ladder, std::size_t t, const Comparison& c, double errors)
+  {
+    const Pair& pair = ladder.pairs[t];
+    if (!c.exists() || ladder.shell(pair.second) > ladder.shell(pair.first)) return;
+    double& least = model.least[pair.first];
+    least = std::max(least, c.excess - errors * c.variance);
+  }
+
+private:
+  const Comparisons& m_means;
+  const Ladder& m_ladder;
+  std::size_t m_order;
+  Bias_model m_model;
+};
+
+/// The weights of all candidates; 0 for those that do not exist.
+struct Choice
+{
+  std::vector<double> weights;
+  std::size_t shape = 0;   ///< of the neighborhood, for the caller
+  double variance = 0;     ///< of the weighted mean, summed over the target
+  double squared_bias = 0; ///< estimated
+
+  bool exists() const { return !weights.empty(); }
+  double risk() const { return variance + squared_bias; }
+};
+
+/// Weights with the least expected squared error. None if there is no candidate.
+inline Choice choose(const Candidates& candidates, const Bias_model& model, const Target& target,
+                     double square_of_noise)
+{
+  std::vector<std::size_t> existing;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i]) existing.push_back(i);
+  const std::size_t n = existing.size();
+  Choice choice;
+  if (n == 0) return choice;
+  Symmetric_matrix variance(n), bias(n), risk(n);
+  std::vector<double> missing(n); // bias beyond the terms'
+  for (std::size_t i = 0; i < n; ++i) {
+    const Candidate& a = candidates[existing[i]];
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Candidate& b = candidates[existing[k]];
+      variance.set(i, k, square_of_noise * covariance(a, b, target));
+      bias.set(i, k, squared_bias(model.terms, error_products(a, b, target)));
+    }
+    missing[i] = std::sqrt(std::max(0., model.least[existing[i]] - bias(i, i)));
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k <= i; ++k) {
+      bias.set(i, k, bias(i, k) + missing[i] * missing[k]);
+      risk.set(i, k, variance(i, k) + bias(i, k));
+    }
+  const Least_risk best = least_risk(risk);
+  choice.weights.assign(candidates.size(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    choice.weights[existing[i]] = best.weights[i];
+    for (std::size_t k = 0; k < n; ++k) choice.variance += best.weights[i] * best.weights[k] * variance(i, k);
+  }
+  choice.squared_bias = std::max(0., best.risk - choice.variance);
+  return choice;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_BIAS_MODEL_H

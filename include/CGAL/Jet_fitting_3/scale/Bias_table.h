@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_BIAS_TABLE_H
+#define CGAL_JET_FITTING_3_SCALE_BIAS_TABLE_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Local_ladder.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What chooses radius and degree for itself: the normal, and the second derivatives along the principal directions
+/// and between them. On a cylinder the flat direction has no bias however large the ball.
+constexpr std::size_t number_of_targets = 4;
+
+/// The constants of the choice. Tuned on nine of the survey's surfaces, see benchmark/Jet_fitting_3/survey.
+namespace constant {
+constexpr double variance_factor = 1.2; ///< noise along the surface, and of the frame, which the rows do not know
+constexpr double clip = 400;            ///< a difference counts for so many variances at most
+constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
+constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
+} // namespace constant
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// Estimated squares of the bias of one target: [degree - 2][rung].
+using Bias_of_target = std::array<std::vector<double>, 3>;
+
+/// Of all targets.
+using Bias_table = std::array<Bias_of_target, number_of_targets>;
+
+/// Whether a degree is a candidate for a target: odd degrees add nothing to second derivatives.
+constexpr bool is_candidate(std::size_t target, std::size_t degree) { return target == 0 || degree != 3; }
+
+/// The variance of a target, with the factor.
+inline double variance(const Turned_second_order& fit, std::size_t target)
+{
+  return constant::variance_factor * (target == 0 ? fit.slopes_variance : fit.variance[target - 1]);
+}
+
+/// The squared difference of two fits in a target.
+inline double squared_difference(const Turned_second_order& a, const Turned_second_order& b, std::size_t target)
+{
+  if (target > 0) return (a.value[target + 1] - b.value[target + 1]) * (a.value[target + 1] - b.value[target + 1]);
+  const double x = a.value[0] - b.value[0], y = a.value[1] - b.value[1];
+  return x * x + y * y;
+}
+
+/// An estimate with its standard error.
+struct Estimated
+{
+  double value, error;
+};
+
+/// Compares candidates with references over a patch, the points of a subsample in one large ball. The balls at these
+/// points overlap: there are fewer independent estimates than points.
+class Patch_statistics
+{
+public:
+  using Patch = std::vector<const Local_ladder*>;
+
+  Patch_statistics(const Patch& patch, const Ladder& ladder, std::size_t target)
+    : m_patch(patch), m_ladder(ladder), m_target(target)
+  {}
+
+  /// The squared bias of a candidate against reference k, unbiased if the reference is: what is left of the squared
+  /// difference beyond noise, which is the difference of the variances since the candidate is the efficient one.
+  Estimated squared_bias(std::size_t degree, std::size_t j, std::size_t k) const
+  {
+    double total = 0, sum = 0, n = 0;
+    for (const Local_ladder* local : m_patch) {
+      const Turned_second_order &candidate = local->candidates[j].of_degree(degree), &reference = local->references[k];
+      const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
+      if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
+      const double d = std::min(squared_difference(candidate, reference, m_target), constant::clip * v_k);
+      const double w = 1 / (v_k * v_k);
+      total += w;
+      sum += w * (d - std::max(0., v_k - v));
+      n += 1;
+    }
+    if (n < 2) return {0, unknown};
+    const double ratio = m_ladder.patch() / m_ladder.radii[k];
+    const double independent = std::min(n, std::max(1., 2 * ratio * ratio));
+    return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (n / total) / independent)};
+  }
+
+private:
+  const Patch& m_patch;
+  const Ladder& m_ladder;
+  std::size_t m_target;
+};
+
+/// Bias at one rung: what is proved, and what is likely.
+struct Bias_bounds
+{
+  double least = 0, likely = unknown;
+};
+
+/// A degree of 2 or 3 is compared with degree 4 in its own ball; degree 4 with itself in the next smaller ball, whose
+/// bias it shares: of C r^4, a difference of C (r^4 - r_k^4) is seen.
+inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder& ladder, std::size_t degree,
+                               std::size_t j)
+{
+  Bias_bounds bounds;
+  const std::size_t end = degree == 4 ? j : j + 1;
+  for (std::size_t k = ladder.first_reference; k < end; ++k) {
+    const Estimated e = statistics.squared_bias(degree, j, k);
+    if (!(e.error < unknown)) continue;
+    bounds.least = std::max(bounds.least, e.value - constant::certain * e.error);
+    if (k + 1 < end) continue;
+    bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
+    if (degree == 4) bounds.likely /= std::pow(1 - std::pow(ladder_step, -4), 2);
+  }
+  bounds.likely = std::max(bounds.likely, bounds.least);
+  return bounds;
+}
+
+/// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
+/// with r^4 for degree 2. For higher degrees, too, one counts on no more, but for the normal, as balls may be as large
+/// as what they are on.
+inline std::vector<double> pooled_bias(const std::vector<Bias_bounds>& bounds, const Ladder& ladder, double exponent)
+{
+  std::vector<double> result(bounds.size(), unknown);
+  for (std::size_t j = ladder.first; j < bounds.size(); ++j) {
+    for (std::size_t l = j; l < bounds.size(); ++l) {
+      result[j] = std::min(result[j], std::pow(ladder.radii[j] / ladder.radii[l], exponent) * bounds[l].likely);
+      if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
+    }
+    result[j] = std::max(bounds[j].least, result[j] < unknown ? result[j] : 0);
+  }
+  return result;
+}
+
+/// The table of a patch.
+inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder)
+{
+  Bias_table table;
+  for (std::size_t target = 0; target < number_of_targets; ++target) {
+    const Patch_statistics statistics(patch, ladder, target);
+    for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
+      if (!is_candidate(target, degree)) continue;
+      std::vector<Bias_bounds> bounds(ladder.radii.size());
+      for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j)
+        bounds[j] = bias_bounds(statistics, ladder, degree, j);
+      table[target][degree - 2] = pooled_bias(bounds, ladder, target == 0 && degree == 4 ? 8 : 4);
+    }
+  }
+  return table;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_BIAS_TABLE_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_CLOUD_H
+#define CGAL_JET_FITTING_3_SCALE_CLOUD_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/scale/Noise.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Points, and unit normals if there are any. The arrays are not owned.
+struct Cloud
+{
+  const Vector_3<double>* points;
+  const Vector_3<double>* normals; ///< or null
+  std::size_t size;
+
+  bool has_normals() const { return normals != nullptr; }
+};
+
+/// Radii that grow by steps of 25 %, and where on that ladder things begin; all that is the same for the whole cloud.
+struct Ladder
+{
+  std::vector<double> radii;
+  std::size_t first;           ///< the smallest candidate: six times the noise at least
+  std::size_t frame;           ///< where the tangent plane is taken
+  std::size_t axes;            ///< where the principal directions are taken
+  std::size_t first_reference; ///< the smallest ball with which candidates are compared
+  Noise noise;
+
+  /// The radius of the patch over which the bias is averaged: a compromise between the bias of one place, and chance.
+  double patch() const { return radii[radii.size() - 2]; }
+};
+
+/// The ratio of neighboring radii.
+constexpr double ladder_step = 1.25;
+
+/// How many neighbors the smallest ball has in the median: three times the unknowns of degree 4.
+constexpr std::size_t least_neighbors = 45;
+
+/// Rungs for clouds without noise: the largest ball has about 2,500 neighbors.
+constexpr std::size_t least_rungs = 10;
+
+/// From the radius that holds least_neighbors.
+inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals)
+{
+  Ladder ladder;
+  ladder.noise = noise;
+  const auto reaches = [&](double multiple) {
+    std::size_t j = 0;
+    double r = least_radius;
+    for (; r < multiple * noise.position && j < 60; ++j) r *= ladder_step;
+    return j;
+  };
+  ladder.first = reaches(6);
+  ladder.frame = ladder.first + 1 < reaches(10) ? reaches(10) : ladder.first + 1;
+  ladder.axes = ladder.first + 5;
+  ladder.first_reference = has_normals || reaches(10) < ladder.first ? ladder.first : reaches(10);
+  const std::size_t rungs = ladder.first + 7 < least_rungs ? least_rungs : ladder.first + 7;
+  double r = least_radius;
+  for (std::size_t j = 0; j < rungs; ++j, r *= ladder_step) ladder.radii.push_back(r);
+  return ladder;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_CLOUD_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_CLOUD_SCALE_H
+#define CGAL_JET_FITTING_3_SCALE_CLOUD_SCALE_H
+
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
+#include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
+#include <CGAL/Jet_fitting_3/steps/monge_basis.h>
+#include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
+#include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// A Monge form, and what was chosen for it.
+struct Estimate_at_scale
+{
+  Point_scale choice;                      ///< squared bias and variance, too
+  Vector_3<double> origin;                 ///< on the surface, relative to the point, in world axes
+  Basis_3<double> monge_axes;              ///< d1, d2, n, in world axes; n to the side of the normals if there are any
+  Monge_coefficients<double> coefficients; ///< in the unit of the points
+};
+
+/// \ingroup PkgJetFitting3Choice
+/// Monge forms at the points of a cloud, radius and degree being chosen. The arrays are not owned.
+template <class Within>
+class Cloud_scale
+{
+public:
+  /// \param points best of a size near 1
+  /// \param normals of length 1, as many as points; or none
+  /// \param within, for_each, noise see Automatic_scale
+  /// \throw Invalid_input if there are too few points, or another number of normals
+  template <class For_each = One_by_one>
+  Cloud_scale(const std::vector<Vector_3<double>>& points, const std::vector<Vector_3<double>>& normals,
+              const Within& within, const For_each& for_each = For_each(),
+              const std::optional<Noise>& noise = std::nullopt)
+    : m_cloud(cloud_of(points, normals)), m_automatic(m_cloud, within, for_each, noise)
+  {}
+
+  /// Of the whole cloud.
+  const Noise& noise() const { return m_automatic.noise(); }
+
+  /// The form at point i. For several threads, each with a solver and a list of its own.
+  /// \param order d', 2 at least
+  /// \param solver a model of StepSolver
+  template <class Solver>
+  Estimate_at_scale estimate(std::size_t i, std::size_t order, Solver& solver, Indices& near) const
+  {
+    Estimate_at_scale e;
+    e.choice = m_automatic(i, near);
+    const Local_frame& frame = e.choice.frame;
+    const Jet<double> jet = jet_at_scale(m_cloud, near, e.choice, order, noise(), solver);
+    const Monge_basis<double> monge = monge_basis(jet, frame.axes);
+    e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
+    e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
+    e.coefficients = monge_coefficients(jet, monge, order);
+    return e;
+  }
+
+private:
+  static Cloud cloud_of(const std::vector<Vector_3<double>>& points, const std::vector<Vector_3<double>>& normals)
+  {
+    if (!normals.empty() && normals.size() != points.size())
+      throw Invalid_input("an automatic choice of the neighborhood takes a normal for each point or none: here are " +
+                          std::to_string(normals.size()) + " normals of " + std::to_string(points.size()) + " points");
+    return {points.data(), normals.empty() ? nullptr : normals.data(), points.size()};
+  }
+
+  Cloud m_cloud;
+  Automatic_scale<Within> m_automatic;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_CLOUD_SCALE_H

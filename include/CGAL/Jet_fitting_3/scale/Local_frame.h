@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_LOCAL_FRAME_H
+#define CGAL_JET_FITTING_3_SCALE_LOCAL_FRAME_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
+#include <CGAL/Jet_fitting_3/scale/Cloud.h>
+#include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
+#include <CGAL/Jet_fitting_3/values/Basis_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+using Indices = std::vector<std::size_t>;
+
+/// Where heights are measured: an origin on the surface and axes, z along the normal.
+struct Local_frame
+{
+  Vector_3<double> origin;
+  Basis_3<double> axes;
+};
+
+/// 1 / length times v; z where it has no length.
+inline Vector_3<double> unit_vector(const Vector_3<double>& v)
+{
+  const double square = dot(v, v);
+  return square > 0 ? (1 / std::sqrt(square)) * v : Vector_3<double>{0, 0, 1};
+}
+
+/// Any axes with this z (Duff et al. 2017).
+inline Basis_3<double> axes_around(const Vector_3<double>& z)
+{
+  const double sign = z.z < 0 ? -1 : 1, a = -1 / (sign + z.z), b = z.x * z.y * a;
+  return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
+}
+
+/// What a neighbor contributes, in lengths of the given unit: with normals the potential of the Gauss map stands for
+/// the height, see fit_gauss_map().
+struct Local_sample
+{
+  double u, v, height, slope_u, slope_v;
+  double square; ///< of the distance from the origin
+  bool is_there; ///< not on another sheet
+};
+
+inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_frame& frame, double per_unit,
+                                 double normal_factor)
+{
+  const Vector_3<double> d = cloud.points[i] - frame.origin, r = per_unit * frame.axes.in(d);
+  Local_sample s{r.x, r.y, r.z, 0, 0, dot(d, d), true};
+  if (!cloud.has_normals()) return s;
+  const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
+  s.is_there = n.z >= -0.2;
+  s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
+  s.slope_u = -normal_factor * n.x;
+  s.slope_v = -normal_factor * n.y;
+  return s;
+}
+
+/// What makes noisy normals of length 1 as long in the mean as those without noise.
+inline double normal_factor(const Noise& noise) { return 1 / (1 - std::min(0.25, noise.normal * noise.normal)); }
+
+/// 1 / s^2 for lengths in the given unit, 1 / s_n^2. Without noise what counts is the ratio: ten times s for a normal,
+/// and digits that the choice can trust.
+struct Row_weights
+{
+  double height, slope;
+
+  Row_weights(const Cloud& cloud, const Noise& noise, double unit)
+  {
+    const double s = std::max(noise.position / unit, 1e-10), s_n = std::max(noise.normal, 1e-9);
+    height = 1 / (s * s);
+    slope = cloud.has_normals() ? 1 / (s_n * s_n) : 0;
+  }
+};
+
+/// The fit to a ball around the origin of the frame.
+inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
+                           const Noise& noise)
+{
+  Shell_sums sums;
+  const double factor = normal_factor(noise);
+  for (const std::size_t i : near) {
+    const Local_sample s = local_sample(cloud, i, frame, 1 / radius, factor);
+    if (!s.is_there || s.square > radius * radius) continue;
+    if (cloud.has_normals()) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v);
+    else sums.add(s.u, s.v, s.height);
+  }
+  const Row_weights weights(cloud, noise, radius);
+  return Nested_fit(sums, weights.height, weights.slope);
+}
+
+/// With normals: their sum in the smaller ball, then the normal of a fit of degree 2 to the larger one.
+inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std::size_t i, double smaller,
+                                    double larger, const Noise& noise)
+{
+  Vector_3<double> sum{0, 0, 0};
+  for (const std::size_t k : near) {
+    const Vector_3<double> d = cloud.points[k] - cloud.points[i];
+    if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > -0.2) sum = sum + cloud.normals[k];
+  }
+  Local_frame frame{cloud.points[i], axes_around(unit_vector(sum))};
+  const Nested_fit fit = fit_ball(cloud, near, frame, larger, noise);
+  if (!fit.determines(2)) return frame;
+  const double x = fit.coefficient(1, 2), y = fit.coefficient(2, 2), square = x * x + y * y;
+  if (square < 1) frame.axes = axes_around(unit_vector(frame.axes.out({-x, -y, std::sqrt(1 - square)})));
+  return frame;
+}
+
+/// The direction in which the points of a ball spread least.
+inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
+{
+  numeric::Symmetric_3<double> s{0, 0, 0, 0, 0, 0};
+  Vector_3<double> sum{0, 0, 0};
+  double n = 0;
+  for (const std::size_t k : near) {
+    const Vector_3<double> d = (1 / radius) * (cloud.points[k] - cloud.points[i]);
+    if (dot(d, d) > 1) continue;
+    n += 1;
+    sum = sum + d;
+    s = {s.xx + d.x * d.x, s.xy + d.x * d.y, s.xz + d.x * d.z, s.yy + d.y * d.y, s.yz + d.y * d.z, s.zz + d.z * d.z};
+  }
+  const Vector_3<double> m = (1 / n) * sum;
+  s = {s.xx - m.x * sum.x, s.xy - m.x * sum.y, s.xz - m.x * sum.z,
+       s.yy - m.y * sum.y, s.yz - m.y * sum.z, s.zz - m.z * sum.z};
+  return numeric::symmetric_eigen_3(s).vectors[2];
+}
+
+/// From positions: principal component analysis, then degree 2 twice, the origin moving to its foot point on the fitted
+/// surface, five times the noise at most.
+inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, std::size_t i, double radius,
+                                      const Noise& noise)
+{
+  const Vector_3<double> p = cloud.points[i];
+  Local_frame frame{p, axes_around(unit_vector(thin_direction(cloud, near, i, radius)))};
+  for (int round = 0; round < 2; ++round) {
+    const Nested_fit fit = fit_ball(cloud, near, frame, radius, noise);
+    if (!fit.determines(2)) return frame;
+    const Vector_3<double> n = unit_vector({-fit.coefficient(1, 2), -fit.coefficient(2, 2), 1});
+    const Vector_3<double> normal = frame.axes.out(n);
+    const Vector_3<double> foot = frame.origin + (fit.coefficient(0, 2) * radius * n.z) * normal;
+    if (dot(foot - p, foot - p) <= 25 * noise.position * noise.position) frame.origin = foot;
+    frame.axes = axes_around(unit_vector(normal));
+  }
+  return frame;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_LOCAL_FRAME_H

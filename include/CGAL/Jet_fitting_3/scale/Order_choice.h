@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H
+#define CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H
+
+#include <CGAL/Jet_fitting_3/scale/Bias_model.h>
+#include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
+#include <CGAL/Jet_fitting_3/scale/nearest_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The radii for orders 3 and 4 end here, in units.
+constexpr double largest_radius = 24;
+
+/// All derivatives of one order at a vertex as means of several fits, in a given frame.
+struct Order_estimate
+{
+  std::vector<double>
+      derivatives;         ///< z_x..x, z_x..xy, ..., z_y..y, in length^(1 - order); empty: there is no candidate
+  double variance = 0;     ///< of one of them by noise, in the mean over all axes
+  double squared_bias = 0; ///< estimated, likewise
+
+  bool exists() const { return !derivatives.empty(); }
+};
+
+/// Chooses radii and degrees for derivatives of order 3 or 4, as Surface_choice does for order 2, but for all
+/// derivatives together and in disks only.
+template <class Neighbors>
+class Order_choice
+{
+  static constexpr std::size_t patch = 30, most_samples = 2200;
+
+public:
+  using Surface = Surface_points<Neighbors>;
+
+  /// \param square_of_noise the variance of a coordinate, in squares of the unit
+  /// \param unit the mean edge; radii are 2 to largest_radius of it
+  /// \param highest degree of a candidate, at least the order
+  /// \param for_each as for Surface_choice
+  template <class For_each>
+  Order_choice(const Surface& surface, double square_of_noise, double unit, std::size_t order, std::size_t highest,
+               const For_each& for_each)
+    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_order(order), m_all{0, order + 1},
+      m_fitter(surface, unit, most_samples)
+  {
+    std::vector<double> radii;
+    for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);
+    std::vector<std::size_t> degrees;
+    for (std::size_t d = order; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
+    m_ladder = ladder_of(std::move(radii), std::move(degrees));
+    learn(for_each);
+  }
+
+  const Ladder& ladder() const { return m_ladder; }
+
+  /// At any vertex.
+  Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
+  {
+    const Place& place = m_places[nearest_place(m_points, m_surface.points[i])];
+    Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, &place.selection);
+    if (is_like(place, candidates)) return mean(candidates, place.choice);
+    candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, nullptr);
+    return mean(candidates, choose_at(i, candidates));
+  }
+
+private:
+  struct Place
+  {
+    Candidates candidates; // only while learning
+    Comparisons comparisons;
+    std::vector<double> variances;
+    Choice choice;
+    Selection selection; // what it uses
+    double size = 0;     // sum of the squares of the derivatives
+  };
+
+  template <class For_each>
+  void learn(const For_each& for_each)
+  {
+    const std::vector<std::size_t> vertices = spread_vertices(m_surface.points.size());
+    for (const std::size_t i : vertices) m_points.push_back(m_surface.points[i]);
+    m_places.resize(vertices.size());
+    for_each(vertices.size(), [&] {
+      return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
+        const Local_frame frame = tangent_frame(m_surface, walker, vertices[k], m_unit);
+        look_at(m_places[k], m_fitter(walker, vertices[k], frame, 1, m_ladder, m_order, nullptr));
+      };
+    });
+    for_each(vertices.size(), [&] {
+      return [&](std::size_t k) { m_places[k].choice = choose_at(vertices[k], m_places[k].candidates); };
+    });
+    for (Place& place : m_places) {
+      place.candidates.clear();
+      place.selection.assign(m_ladder.size(), false);
+      add_used(place.selection, place.choice);
+    }
+  }
+
+  void look_at(Place& place, Candidates candidates) const
+  {
+    place.candidates = std::move(candidates);
+    place.comparisons = compare_all(place.candidates, m_ladder, m_all, m_square_of_noise);
+    place.variances.assign(m_ladder.size(), 0);
+    for (std::size_t c = 0; c < m_ladder.size(); ++c) {
+      const Candidate& candidate = place.candidates[c];
+      if (!candidate) continue;
+      place.variances[c] = covariance(candidate, candidate, m_all);
+      if (candidate.degree == m_ladder.degrees.front()) place.size = square_of_rows(candidate);
+    }
+  }
+
+  static double square_of_rows(const Candidate& candidate)
+  {
+    double sum = 0;
+    for (const Estimate_row& row : candidate.rows) sum += row.value * row.value;
+    return sum;
+  }
+
+  /// By what the places around it say, and by its own candidates where noise cannot explain what they say.
+  Choice choose_at(std::size_t i, const Candidates& candidates) const
+  {
+    const Near near = nearest_places(m_points, m_surface.points[i], patch + 1);
+    const std::size_t count = std::min(patch, near.size());
+    std::vector<const Comparisons*> members;
+    double size = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      members.push_back(&m_places[near[k].second].comparisons);
+      size += m_places[near[k].second].size / double(count);
+    }
+    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first) / m_unit, m_all);
+    Bias_model model = Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
+    const Comparisons own = compare_all(candidates, m_ladder, m_all, m_square_of_noise);
+    for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, m_ladder, t, own[t], 12);
+    return choose(candidates, model, m_all, m_square_of_noise);
+  }
+
+  bool is_like(const Place& place, const Candidates& candidates) const
+  {
+    if (!place.choice.exists()) return false;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (is_used(place.choice, c) &&
+          !(candidates[c] && covariance(candidates[c], candidates[c], m_all) <= 1.5 * place.variances[c]))
+        return false;
+    return true;
+  }
+
+  Order_estimate mean(const Candidates& candidates, const Choice& choice) const
+  {
+    Order_estimate result;
+    if (!choice.exists()) return result;
+    result.derivatives.assign(m_order + 1, 0);
+    double sum = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (!is_used(choice, c)) continue;
+      sum += choice.weights[c];
+      for (std::size_t j = 0; j <= m_order; ++j)
+        result.derivatives[j] += choice.weights[c] * candidates[c].rows[j].value;
+    }
+    const double unit = std::pow(m_unit, 1 - double(m_order));
+    for (std::size_t j = 0; j <= m_order; ++j) result.derivatives[j] *= unit / sum / std::sqrt(binomial(m_order, j));
+    result.variance = unit * unit * choice.variance / double(m_order + 1);
+    result.squared_bias = unit * unit * choice.squared_bias / double(m_order + 1);
+    return result;
+  }
+
+  const Surface& m_surface;
+  double m_unit, m_square_of_noise;
+  std::size_t m_order;
+  Target m_all;
+  Ladder m_ladder;
+  Disk_fitter<Neighbors> m_fitter;
+  std::vector<Vector_3<double>> m_points; // of the places
+  std::vector<Place> m_places;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_POINT_SCALE_H
+#define CGAL_JET_FITTING_3_SCALE_POINT_SCALE_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Bias_table.h>
+#include <CGAL/Jet_fitting_3/values/Jet.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What was chosen for a target.
+struct Choice
+{
+  double radius = 0;
+  std::size_t rung = 0, degree = 2;
+  double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
+};
+
+/// What was chosen at a point, all in one frame, whose x axis is the pilot's principal direction of the larger
+/// curvature, so that jets of different fits can be put together.
+struct Point_scale
+{
+  Local_frame frame;
+  Choice normal;                    ///< for the slopes of the surface in the frame
+  std::array<Choice, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
+  Jet<double> jet{2};               ///< of the surface in the frame, with the digits of normal equations
+  bool is_chosen = true;            ///< false where no bias is known: no point of the subsample nearby, too few points
+};
+
+/// The least neighbors of a candidate: twice its unknowns.
+constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
+
+/// The candidate with the least squared bias plus variance; the smallest radius, the lowest degree if several.
+inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::size_t target, const Ladder& ladder,
+                   Choice& choice)
+{
+  double least = unknown;
+  for (std::size_t j = ladder.first; j < local.candidates.size(); ++j)
+    for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
+      if (!is_candidate(target, degree) || local.candidates[j].size < least_neighbors_of(degree)) continue;
+      const double v = variance(local.candidates[j].of_degree(degree), target), b = bias[degree - 2][j];
+      if (!(b + v < least)) continue;
+      least = b + v;
+      choice = {ladder.radii[j], j, degree, b, v};
+    }
+  return least < unknown;
+}
+
+/// Height and slopes from the fit that was chosen for the normal, second derivatives each from its own. Of no use with
+/// normals, where fits are of the potential of the Gauss map.
+inline Jet<double> jet_of_choice(const Local_ladder& local, const Point_scale& scale)
+{
+  const auto fit = [&local](const Choice& c) -> const Turned_second_order& {
+    return local.candidates[c.rung].of_degree(c.degree);
+  };
+  const Turned_second_order& of_normal = fit(scale.normal);
+  const double xx = fit(scale.curvatures[0]).value[2], yy = fit(scale.curvatures[2]).value[4];
+  const double xy = std::sqrt(0.5) * fit(scale.curvatures[1]).value[3];
+  Jet<double> jet(2);
+  jet(0, 0) = of_normal.height;
+  std::copy_n(of_normal.value.begin(), 2, jet.part(1));
+  const double second[] = {xx, xy, yy};
+  std::copy_n(second, 3, jet.part(2));
+  return jet;
+}
+
+/// All targets.
+inline Point_scale choose(const Local_ladder& local, const Bias_table& table, const Ladder& ladder)
+{
+  Point_scale scale;
+  scale.frame = local.frame;
+  scale.is_chosen = choose(local, table[0], 0, ladder, scale.normal);
+  for (std::size_t target = 1; target < number_of_targets; ++target)
+    scale.is_chosen = choose(local, table[target], target, ladder, scale.curvatures[target - 1]) && scale.is_chosen;
+  if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
+  return scale;
+}
+
+/// The largest rung that was chosen.
+inline std::size_t largest_rung(const Point_scale& scale)
+{
+  std::size_t j = scale.normal.rung;
+  for (const Choice& c : scale.curvatures) j = std::max(j, c.rung);
+  return j;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_POINT_SCALE_H

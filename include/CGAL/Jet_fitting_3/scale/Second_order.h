@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H
+#define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What a candidate says of the slopes and second derivatives at the origin: (J_x, J_y, J_xx, sqrt(2) J_xy, J_yy). The
+/// squares of the first two, and of the last three, add up to the same in all axes.
+struct Second_order
+{
+  double height = 0; ///< at the origin
+  std::array<double, 5> value{};
+  std::array<std::array<double, 5>, 5> covariance{};
+};
+
+/// From a fit, with the unit in which its lengths were measured. Covariances are infinite where the samples do not
+/// determine the jet.
+inline Second_order second_order(const Nested_fit& fit, std::size_t degree, double unit)
+{
+  Second_order result;
+  if (!fit.determines(degree)) {
+    for (auto& row : result.covariance) row.fill(std::numeric_limits<double>::infinity());
+    return result;
+  }
+  result.height = unit * fit.coefficient(0, degree);
+  const double factor[] = {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit};
+  for (std::size_t a = 0; a < 5; ++a) {
+    result.value[a] = factor[a] * fit.coefficient(a + 1, degree);
+    for (std::size_t b = 0; b <= a; ++b)
+      result.covariance[a][b] = result.covariance[b][a] = factor[a] * factor[b] * fit.covariance(a + 1, b + 1, degree);
+  }
+  return result;
+}
+
+/// The values in axes that are turned by an angle from x to y, with the variances of each.
+struct Turned_second_order
+{
+  double height;
+  std::array<double, 5> value;
+  double slopes_variance;         ///< of both slopes together
+  std::array<double, 3> variance; ///< of the second derivatives
+};
+
+/// In turned axes.
+inline Turned_second_order turned(const Second_order& s, double cosine, double sine)
+{
+  const double c2 = cosine * cosine, s2 = sine * sine, cs = std::sqrt(2.) * cosine * sine;
+  const double turn[3][3] = {{c2, cs, s2}, {-cs, c2 - s2, cs}, {s2, -cs, c2}};
+  Turned_second_order t;
+  t.height = s.height;
+  t.value[0] = cosine * s.value[0] + sine * s.value[1];
+  t.value[1] = cosine * s.value[1] - sine * s.value[0];
+  t.slopes_variance = s.covariance[0][0] + s.covariance[1][1];
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.value[2 + i] = t.variance[i] = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      t.value[2 + i] += turn[i][k] * s.value[2 + k];
+      for (std::size_t l = 0; l < 3; ++l) t.variance[i] += turn[i][k] * turn[i][l] * s.covariance[2 + k][2 + l];
+    }
+    if (!(t.variance[i] < std::numeric_limits<double>::infinity())) // a difference of infinities
+      t.variance[i] = std::numeric_limits<double>::infinity();
+  }
+  return t;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_SHELL_SUMS_H
+#define CGAL_JET_FITTING_3_SCALE_SHELL_SUMS_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/monomials.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What neighbors contribute to the normal equations of all degrees up to 4: sums over them, which nest over balls and
+/// over degrees. A matrix of normal equations has only moments for entries, 45 of them.
+struct Shell_sums
+{
+  std::array<double, number_of_jet_coefficients(2 * highest_degree)> moments{}; ///< of u^i v^j
+  std::array<double, number_of_unknowns> heights{};                             ///< of u^i v^j times the height
+  /// @{
+  /// Of u^i v^j times the slopes.
+  std::array<double, number_of_jet_coefficients(highest_degree - 1)> slopes_u{}, slopes_v{};
+  /// @}
+
+  /// Number of neighbors.
+  double size() const { return moments[0]; }
+
+  /// A neighbor without normal.
+  void add(double u, double v, double height)
+  {
+    double m[number_of_jet_coefficients(2 * highest_degree)];
+    add(u, v, height, m);
+  }
+
+  /// A neighbor whose normal gives the slopes.
+  void add(double u, double v, double height, double slope_u, double slope_v)
+  {
+    double m[number_of_jet_coefficients(2 * highest_degree)];
+    add(u, v, height, m);
+    for (std::size_t k = 0; k < slopes_u.size(); ++k) slopes_u[k] += slope_u * m[k];
+    for (std::size_t k = 0; k < slopes_v.size(); ++k) slopes_v[k] += slope_v * m[k];
+  }
+
+  /// All neighbors of another shell.
+  Shell_sums& operator+=(const Shell_sums& other)
+  {
+    const auto add_all = [](auto& to, const auto& from) {
+      for (std::size_t k = 0; k < to.size(); ++k) to[k] += from[k];
+    };
+    add_all(moments, other.moments);
+    add_all(heights, other.heights);
+    add_all(slopes_u, other.slopes_u);
+    add_all(slopes_v, other.slopes_v);
+    return *this;
+  }
+
+private:
+  void add(double u, double v, double height, double* m)
+  {
+    monomials<2 * highest_degree>(u, v, m);
+    for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
+    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
+  }
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_SHELL_SUMS_H

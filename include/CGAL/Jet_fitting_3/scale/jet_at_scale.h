@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_JET_AT_SCALE_H
+#define CGAL_JET_FITTING_3_SCALE_JET_AT_SCALE_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Point_scale.h>
+#include <CGAL/Jet_fitting_3/steps/gauss_map_fitting.h>
+#include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
+#include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Step 2 on a ball around the origin of the frame, in the frame's axes; its solution is in units of `unit`.
+struct Fit_at_scale
+{
+  Jet_fit<double> fit;
+  double unit;
+};
+
+/// \param near holds the neighbors within the radius, and perhaps others
+template <class Solver>
+Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
+                          std::size_t degree, const Noise& noise, Solver& solver)
+{
+  const double unit = numeric::power_of_two_above(radius), per_unit = 1 / unit;
+  Indices inside;
+  for (const std::size_t i : near) {
+    const Vector_3<double> d = cloud.points[i] - frame.origin;
+    if (dot(d, d) <= radius * radius) inside.push_back(i);
+  }
+  Oriented_samples<double> samples;
+  samples.resize(inside.size());
+  for (std::size_t k = 0; k < inside.size(); ++k) {
+    samples.set(k, per_unit * (cloud.points[inside[k]] - frame.origin));
+    if (cloud.has_normals()) samples.set_normal(k, cloud.normals[inside[k]]);
+  }
+  Fit_at_scale result;
+  result.unit = unit;
+  if (cloud.has_normals()) {
+    const Data_noise<double> of_data{noise.position / unit, noise.normal};
+    result.fit = fit_gauss_map(samples, frame.axes, degree, of_data, solver).fit;
+  } else result.fit = fit_jet(samples, frame.axes, degree, solver);
+  measure_in_smaller_unit(result.fit.jet, unit);
+  return result;
+}
+
+/// Whether noise leaves fewer digits than normal equations. Not with normals: what is compared leaves the defect of the
+/// Gauss map out.
+inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, double radius)
+{
+  return !cloud.has_normals() && noise.position > 1e-7 * radius;
+}
+
+/// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
+/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit to the
+/// ball of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the digits,
+/// else balls are fitted anew, by orthogonalization; equal choices share a fit.
+/// \param near holds the neighbors within the largest chosen radius
+template <class Solver>
+Jet<double> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale, std::size_t order,
+                         const Noise& noise, Solver& solver)
+{
+  std::vector<std::pair<Choice, Jet<double>>> fits;
+  const auto fitted = [&](const Choice& c) -> const Jet<double>& {
+    for (const auto& known : fits)
+      if (known.first.rung == c.rung && known.first.degree == c.degree) return known.second;
+    fits.emplace_back(c, fit_at_scale(cloud, near, scale.frame, c.radius, c.degree, noise, solver).fit.jet);
+    return fits.back().second;
+  };
+  Jet<double> jet(std::max<std::size_t>(order, 2));
+  if (order > 2) {
+    Choice higher = scale.curvatures[0];
+    higher.degree = std::max(order, highest_degree);
+    const Jet<double> of_order = fitted(higher);
+    for (std::size_t k = 3; k <= order; ++k) std::copy_n(of_order.part(k), k + 1, jet.part(k));
+  }
+  if (scale.is_chosen && noise_exceeds_rounding(cloud, noise, scale.normal.radius)) {
+    for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
+    return jet;
+  }
+  const Jet<double> of_normal = fitted(scale.normal);
+  for (std::size_t k = 0; k < 2; ++k) std::copy_n(of_normal.part(k), k + 1, jet.part(k));
+  for (std::size_t i = 0; i < 3; ++i) jet.part(2)[i] = fitted(scale.curvatures[i]).part(2)[i];
+  return jet;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_JET_AT_SCALE_H

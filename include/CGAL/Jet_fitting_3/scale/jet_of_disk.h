@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_JET_OF_DISK_H
+#define CGAL_JET_FITTING_3_SCALE_JET_OF_DISK_H
+
+#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
+#include <CGAL/Jet_fitting_3/values/Samples.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Orders 5 and higher, for which no choice is made: one fit, of the degree of the jet, to four times as many vertices
+/// around vertex i as the jet has coefficients, or those within the radius.
+/// \param radius length
+/// \param jet in the axes of the frame; its lower orders stay
+/// \return false if there are fewer than twice as many vertices as coefficients
+template <class Neighbors, class Solver>
+bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
+                       const Local_frame& frame, double radius, Solver& solver, Jet<double>& jet)
+{
+  const std::size_t degree = jet.degree(), unknowns = number_of_jet_coefficients(degree);
+  typename Walker<Neighbors>::Disk disk;
+  walker.disk(i, frame, radius, 1, 4 * unknowns, disk);
+  if (disk.vertices.size() < 2 * unknowns) return false;
+  const double unit = numeric::power_of_two_above(std::max(disk.distances.back(), 1e-300));
+  Samples<double> samples;
+  samples.resize(disk.vertices.size());
+  for (std::size_t k = 0; k < disk.vertices.size(); ++k)
+    samples.set(k, 1 / unit * (surface.points[disk.vertices[k]] - frame.origin));
+  Jet<double> fitted = fit_jet(samples, frame.axes, degree, solver).jet;
+  measure_in_smaller_unit(fitted, unit);
+  for (std::size_t k = 5; k <= degree; ++k) std::copy_n(fitted.part(k), k + 1, jet.part(k));
+  return true;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_JET_OF_DISK_H

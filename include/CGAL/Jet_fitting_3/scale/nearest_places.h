@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_NEAREST_PLACES_H
+#define CGAL_JET_FITTING_3_SCALE_NEAREST_PLACES_H
+
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Squared distances and numbers of places, the nearest first.
+using Near = std::vector<std::pair<double, std::size_t>>;
+
+/// The number of the place nearest to a point; the lowest of several. There must be one.
+inline std::size_t nearest_place(const std::vector<Vector_3<double>>& places, const Vector_3<double>& point)
+{
+  std::size_t nearest = 0;
+  double least = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vector_3<double> d = places[k] - point;
+    const double square = dot(d, d);
+    if (k > 0 && square >= least) continue;
+    least = square;
+    nearest = k;
+  }
+  return nearest;
+}
+
+/// So many of them, or all.
+inline Near nearest_places(const std::vector<Vector_3<double>>& places, const Vector_3<double>& point,
+                           std::size_t count)
+{
+  Near near;
+  near.reserve(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vector_3<double> d = places[k] - point;
+    near.push_back({dot(d, d), k});
+  }
+  count = std::min(count, near.size());
+  std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
+  near.resize(count);
+  return near;
+}
+
+/// The vertices of a surface, evenly spread in their order, at which is learned: 400 at most.
+inline std::vector<std::size_t> spread_vertices(std::size_t size)
+{
+  constexpr std::size_t number_of_places = 400;
+  std::vector<std::size_t> vertices;
+  const std::size_t step = (size + number_of_places - 1) / number_of_places;
+  for (std::size_t i = 0; i < size; i += step) vertices.push_back(i);
+  return vertices;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_NEAREST_PLACES_H

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// automatic() on meshes with noise, through estimate_vertex_monge_forms().
+#include "check.h"
+#include "double_mesh.h"
+
+#include <CGAL/estimate_vertex_monge_forms.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace test;
+namespace jets = CGAL::Jet_fitting;
+namespace parameters = CGAL::parameters;
+
+struct Noisy_mesh
+{
+  Mesh mesh;
+  std::vector<double> mean_curvature;
+  Mesh::Property_map<Vertex, Form> forms;
+
+  Noisy_mesh(const Analytic_mesh& exact, double noise)
+  {
+    build(exact, mesh);
+    forms = mesh.add_property_map<Vertex, Form>("v:form").first;
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0, noise);
+    for (const Vertex v : mesh.vertices()) {
+      Kernel::Point_3& p = mesh.point(v);
+      const Curvatures k = exact.truth(Point(p.x(), p.y(), p.z()));
+      mean_curvature.push_back((k.k1 + k.k2) / 2);
+      p = p + Kernel::Vector_3(normal(random), normal(random), normal(random));
+    }
+  }
+
+  template <class Neighborhood>
+  auto estimate(const Neighborhood& neighborhood, std::size_t d, const jets::Options& options = {})
+  {
+    return CGAL::estimate_vertex_monge_forms(mesh, neighborhood, forms, parameters::degree_fitting(d).degree_monge(2),
+                                             options);
+  }
+
+  double rms_error() const
+  {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Vertex v : mesh.vertices()) {
+      if (forms[v].coefficients().empty()) continue;
+      const double h = (forms[v].principal_curvatures(0) + forms[v].principal_curvatures(1)) / 2;
+      sum += std::pow(h - mean_curvature[v], 2);
+      ++count;
+    }
+    return std::sqrt(sum / double(count));
+  }
+};
+
+// The error over that of the best fixed choice, which knows the truth.
+double beside_fixed_choices(const Analytic_mesh& exact, double noise, const std::string& name)
+{
+  Noisy_mesh noisy(exact, noise);
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t d : {std::size_t(2), std::size_t(4)})
+    for (int rings : {2, 3, 4, 6, 9}) {
+      noisy.estimate(jets::k_rings(rings), d);
+      best = (std::min)(best, noisy.rms_error());
+    }
+  const auto summary = noisy.estimate(jets::automatic(), 6);
+  check_equal(summary.estimated, noisy.mesh.number_of_vertices(), name + ": all vertices are estimated");
+  const double ratio = noisy.rms_error() / best;
+  check_le(ratio, 1.4, name + " beside the best fixed choice");
+  const jets::Chosen_scale scale = summary.quality(Vertex(17)).scale;
+  check_true(scale.standard_deviation > 0 && scale.bias >= 0, name + ": bias and variance are reported");
+  return ratio;
+}
+
+// Coefficients that do not change their sign with the directions, away from umbilics: |b0|, |b3|, c0, c4.
+std::vector<std::array<double, 4>> higher_orders(const Noisy_mesh& mesh)
+{
+  std::vector<std::array<double, 4>> result;
+  for (const Vertex v : mesh.mesh.vertices()) {
+    const Form& f = mesh.forms[v];
+    result.push_back({std::abs(f.third_order_coefficients(0)), std::abs(f.third_order_coefficients(3)),
+                      f.fourth_order_coefficients(0), f.fourth_order_coefficients(4)});
+  }
+  return result;
+}
+
+template <class Neighborhood, class NamedParameters>
+std::vector<std::array<double, 4>> higher_orders(Noisy_mesh& mesh, const Neighborhood& neighborhood,
+                                                 const NamedParameters& np)
+{
+  CGAL::estimate_vertex_monge_forms(mesh.mesh, neighborhood, mesh.forms, np);
+  return higher_orders(mesh);
+}
+
+// RMS of orders 3 and 4, of the vertices where curvatures differ.
+std::array<double, 2> differences(const std::vector<std::array<double, 4>>& a,
+                                  const std::vector<std::array<double, 4>>& b, const std::vector<bool>& counts)
+{
+  std::array<double, 2> sums{};
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k)
+      if (counts[i]) sums[k / 2] += std::pow(a[i][k] - b[i][k], 2);
+  for (double& sum : sums) sum = std::sqrt(sum);
+  return sums;
+}
+
+// Beside the best fixed choice for each order; the truth is a fit of degree 6 to the mesh without noise.
+void orders_3_and_4()
+{
+  const Analytic_mesh exact = ellipsoid(1, 1.3, 1.7, 16);
+  const auto degrees = parameters::degree_fitting(6).degree_monge(4);
+  Noisy_mesh clean(exact, 0), noisy(exact, 0.0005);
+  const auto truth = higher_orders(clean, jets::k_rings(4), degrees);
+  std::vector<bool> counts;
+  for (const Vertex v : clean.mesh.vertices())
+    counts.push_back(clean.forms[v].principal_curvatures(0) - clean.forms[v].principal_curvatures(1) > 0.15);
+  std::array<double, 2> best{INFINITY, INFINITY};
+  for (int rings : {3, 4, 5, 6, 8}) {
+    const auto fixed = higher_orders(noisy, jets::k_rings(rings), parameters::degree_fitting(4));
+    const auto errors = differences(fixed, truth, counts);
+    for (std::size_t k = 0; k < 2; ++k) best[k] = (std::min)(best[k], errors[k]);
+  }
+  const auto errors = differences(higher_orders(noisy, jets::automatic(), parameters::degree_monge(4)), truth, counts);
+  check_le(errors[0], best[0], "third order beside the best fixed choice");
+  check_le(errors[1], 1.2 * best[1], "fourth order beside the best fixed choice");
+}
+
+// z = u^2 - v^2 / 2 + u^5 / 2 around the middle of the square: the fifth derivative is exact. degree_fitting bounds the
+// degrees that are tried.
+void degrees()
+{
+  const auto height = [](double x, double y) {
+    const double u = x - 0.5, v = y - 0.5;
+    return std::array<double, 6>{
+        u * u - v * v / 2 + std::pow(u, 5) / 2, 2 * u + 2.5 * std::pow(u, 4), -v, 2 + 10 * std::pow(u, 3), 0, -1};
+  };
+  Noisy_mesh clean(graph("graph", 25, height), 0);
+  const Vertex middle(12 * 25 + 12);
+  const auto form_of = [&](const auto& np) {
+    CGAL::estimate_vertex_monge_forms(clean.mesh, jets::automatic(), clean.forms, np);
+    return clean.forms[middle];
+  };
+  const Form of_degree_5 = form_of(parameters::degree_monge(5));
+  check_equal(of_degree_5.degree(), std::size_t(5), "a form of degree 5");
+  check_near(of_degree_5.principal_curvatures(0), 2, 1e-3, "a curvature");
+  check_near(std::abs(of_degree_5.derivative(5, 0)), 60, 0.5, "a fifth derivative");
+  check_near(of_degree_5.derivative(0, 5), 0, 0.5, "a fifth derivative that vanishes");
+  const Form quadratic = form_of(parameters::degree_fitting(2)), any = form_of(parameters::degree_monge(2));
+  check_true(quadratic.principal_curvatures(0) != any.principal_curvatures(0), "degree 2 alone is something else");
+}
+
+// By one thread and by all.
+void same_bits()
+{
+  Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
+  const auto np = parameters::degree_monge(3);
+  const auto one = CGAL::estimate_vertex_monge_forms(noisy.mesh, jets::automatic(), noisy.forms, np);
+  std::vector<Form> forms;
+  for (const Vertex v : noisy.mesh.vertices()) forms.push_back(noisy.forms[v]);
+  CGAL::estimate_vertex_monge_forms<CGAL::Parallel_if_available_tag>(noisy.mesh, jets::automatic(), noisy.forms, np);
+  std::size_t different = 0;
+  for (const Vertex v : noisy.mesh.vertices())
+    different += forms[v].coefficients() != noisy.forms[v].coefficients() ||
+                 forms[v].normal_direction() != noisy.forms[v].normal_direction();
+  check_equal(different, std::size_t(0), "forms that depend on the number of threads");
+  check_true(one.quality(Vertex(5)).scale.third_order_error > 0, "the error of third order coefficients is reported");
+}
+
+// One vertex that is not finite, one without neighbors: all others are estimated.
+void bad_vertices()
+{
+  Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
+  noisy.mesh.point(Vertex(100)) = Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  const Vertex isolated = noisy.mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  noisy.mean_curvature.push_back(0);
+  const auto summary = noisy.estimate(jets::automatic(), 6);
+  check_equal(summary.estimated, noisy.mesh.number_of_vertices() - 2, "all but two are estimated");
+  check_true(summary.status(Vertex(100)).has(jets::Status_flag::not_finite), "not finite");
+  check_true(!summary.status(isolated).is_estimated(), "isolated");
+}
+
+void misuse()
+{
+  Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
+  const auto with_degree_1 = [&] {
+    CGAL::estimate_vertex_monge_forms(noisy.mesh, jets::automatic(), noisy.forms, parameters::degree_fitting(1));
+  };
+  check_throws<jets::Invalid_input>(with_degree_1, {"automatic", "1"}, "fits of degree 1");
+  jets::Options options;
+  options.loss = jets::Loss::huber;
+  check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, options); }, {"automatic"},
+                                    "a robust loss");
+  Noisy_mesh tiny(sphere(1, 1), 0);
+  check_throws<jets::Invalid_input>([&] { tiny.estimate(jets::automatic(), 2); }, {"too few"}, "an octahedron");
+}
+
+} // namespace
+
+int main()
+{
+  const double product = beside_fixed_choices(torus(2, 1, 100, 40), 0.0075, "torus") *
+                         beside_fixed_choices(ellipsoid(1, 1.3, 1.7, 18), 0.004, "ellipsoid") *
+                         beside_fixed_choices(ellipsoid(1, 1.3, 1.7, 18), 0.0005, "ellipsoid, little noise");
+  check_le(std::cbrt(product), 0.85, "geometric mean");
+  orders_3_and_4();
+  degrees();
+  same_bits();
+  bad_vertices();
+  misuse();
+  return result();
+}

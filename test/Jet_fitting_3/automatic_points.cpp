@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// automatic() on point sets with noise, through estimate_point_monge_forms().
+#include "check.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/estimate_point_monge_forms.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
+namespace jets = CGAL::Jet_fitting;
+
+struct Cloud
+{
+  std::vector<Oriented> points;
+  std::vector<double> mean_curvature;
+};
+
+// Points spread evenly over a torus, with noise of positions and, ten times as large, of normals.
+Cloud noisy_torus(std::size_t n, double noise)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double size) {
+    return Kernel::Vector_3(size * normal(random), size * normal(random), size * normal(random));
+  };
+  Cloud cloud;
+  const double turn = 2 * std::acos(-1.);
+  while (cloud.points.size() < n) {
+    const double a = turn * uniform(random), b = turn * uniform(random), ring = 2 + std::cos(b);
+    if (3 * uniform(random) > ring) continue;
+    const Kernel::Vector_3 outwards(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+    const Kernel::Point_3 p(ring * std::cos(a), ring * std::sin(a), std::sin(b));
+    cloud.points.emplace_back(p + vector(noise), outwards + vector(10 * noise));
+    cloud.mean_curvature.push_back(-0.5 * (1 + std::cos(b) / ring));
+  }
+  return cloud;
+}
+
+template <class Neighborhood>
+std::vector<Form> forms_of(const std::vector<Oriented>& points, const Neighborhood& neighborhood, std::size_t degree,
+                           const jets::Options& options = {})
+{
+  std::vector<Form> forms;
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
+                      .degree_fitting(degree)
+                      .degree_monge(2);
+  const auto summary = CGAL::estimate_point_monge_forms(points, neighborhood, std::back_inserter(forms), np, options);
+  check_equal(summary.estimated, points.size(), "all points are estimated");
+  return forms;
+}
+
+double rms_error(const std::vector<Form>& forms, const Cloud& cloud)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    sum += std::pow((forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 - cloud.mean_curvature[i],
+                    2);
+  return std::sqrt(sum / double(forms.size()));
+}
+
+jets::Options with_normals()
+{
+  jets::Options options;
+  options.use_normals = true;
+  return options;
+}
+
+// Nothing chosen by hand is as good as half of what the best of these fixed choices is wrong by; automatic() is near it.
+void beside_fixed_choices(double noise)
+{
+  const Cloud cloud = noisy_torus(4000, noise);
+  double best = 1e9;
+  for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
+    for (std::ptrdiff_t k : {20, 40, 80, 160, 320})
+      best = (std::min)(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
+  const double chosen = rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud);
+  check_le(chosen, 1.3 * best, "positions only beside the best fixed choice, noise " + text(noise));
+  const double normals = rms_error(forms_of(cloud.points, jets::automatic(), 4, with_normals()), cloud);
+  check_le(normals, 0.7 * best, "normals as data beside the best fixed choice without, noise " + text(noise));
+}
+
+// The same bits whatever the order of the points.
+void order_of_points()
+{
+  Cloud cloud = noisy_torus(1500, 0.005);
+  const std::vector<Form> forms = forms_of(cloud.points, jets::automatic(), 4, with_normals());
+  std::vector<std::size_t> order(forms.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::shuffle(order.begin(), order.end(), std::mt19937(3));
+  std::vector<Oriented> shuffled;
+  for (const std::size_t i : order) shuffled.push_back(cloud.points[i]);
+  const std::vector<Form> others = forms_of(shuffled, jets::automatic(), 4, with_normals());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    check_true(others[i].coefficients() == forms[order[i]].coefficients(), "same bits in another order");
+}
+
+void misuse()
+{
+  const Cloud cloud = noisy_torus(1000, 0.005);
+  jets::Options options;
+  options.loss = jets::Loss::tukey;
+  const auto call = [&] { forms_of(cloud.points, jets::automatic(), 2, options); };
+  check_throws<jets::Invalid_input>(call, {"automatic", "robust"}, "a robust loss");
+  options = {};
+  options.standard_errors = true;
+  check_throws<jets::Invalid_input>(call, {"automatic", "standard_errors"}, "standard errors");
+}
+
+} // namespace
+
+int main()
+{
+  for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
+  order_of_points();
+  misuse();
+  return result();
+}

@@ -1,0 +1,304 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The choice of radius and degree on surfaces with edges: its linear algebra against brute force, its model against
+// what it was made of, its errors on a noisy mesh beside those of each single candidate.
+
+#include "analytic_meshes.h"
+#include "check.h"
+
+#include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace scale = CGAL::Jet_fitting::averaging;
+using Vector = CGAL::Jet_fitting::Vector_3<double>;
+
+std::vector<Vector> random_samples(std::size_t n, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Vector> samples;
+  while (samples.size() < n) samples.push_back({uniform(random), uniform(random), uniform(random)});
+  return samples;
+}
+
+scale::Moments moments_of(const std::vector<Vector>& samples, std::size_t n)
+{
+  scale::Moments moments;
+  for (std::size_t i = 0; i < n; ++i) moments.add(samples[i].x, samples[i].y, samples[i].z);
+  return moments;
+}
+
+scale::Candidate fit(const std::vector<Vector>& samples, std::size_t n, std::size_t degree, std::size_t order)
+{
+  return scale::candidate(moments_of(samples, n), degree, n, 1, order);
+}
+
+// What row j of a fit becomes if the heights are those of x^(k - l) y^l.
+double answer(std::vector<Vector> samples, std::size_t n, std::size_t degree, std::size_t order, std::size_t j,
+              std::size_t k, std::size_t l)
+{
+  for (Vector& s : samples) s.z = std::pow(s.x, double(k - l)) * std::pow(s.y, double(l));
+  return fit(samples, n, degree, order).rows[j].value;
+}
+
+void responses_are_what_fits_answer()
+{
+  const std::vector<Vector> samples = random_samples(120, 1);
+  for (const std::size_t degree : {2, 4, 6})
+    for (std::size_t order = 2; order <= 4 && order <= degree; ++order) {
+      const scale::Candidate c = fit(samples, 120, degree, order);
+      for (std::size_t j = 0; j <= order; ++j)
+        for (std::size_t k = 0; k <= scale::highest_order; ++k)
+          for (std::size_t l = 0; l <= k; ++l)
+            test::check_near(c.rows[j].responses[scale::term_index(k, l)], answer(samples, 120, degree, order, j, k, l),
+                             1e-9, "response of a fit to a term of the surface");
+    }
+}
+
+// By lifting each sample in turn.
+void covariances_are_sums_over_samples()
+{
+  std::vector<Vector> samples = random_samples(100, 2);
+  for (Vector& s : samples) s.z = 0;
+  for (const std::size_t degree_a : {2, 4, 6})
+    for (const std::size_t degree_b : {2, 4, 6})
+      for (const std::size_t fewer : {60, 100}) {
+        double expected = 0;
+        for (Vector& s : samples) {
+          s.z = 1;
+          const auto a = fit(samples, fewer, degree_a, 2), b = fit(samples, 100, degree_b, 2);
+          for (std::size_t j = 0; j < 3; ++j) expected += a.rows[j].value * b.rows[j].value;
+          s.z = 0;
+        }
+        const double found =
+            scale::covariance(fit(samples, fewer, degree_a, 2), fit(samples, 100, degree_b, 2), {0, 3});
+        test::check_near(found, expected, 1e-9 * std::abs(expected), "covariance of two nested fits");
+      }
+}
+
+void squares_do_not_depend_on_axes()
+{
+  const scale::Candidate c = fit(random_samples(100, 3), 100, 4, 2), t = scale::turned(c, 0.6, 0.8);
+  test::check_near(scale::covariance(t, t, {0, 3}), scale::covariance(c, c, {0, 3}), 1e-10, "variance in turned axes");
+  test::check_near(scale::error_products(t, t, {0, 3})[6], scale::error_products(c, c, {0, 3})[6], 1e-10,
+                   "errors in turned axes");
+}
+
+void too_few_samples_are_no_candidate()
+{
+  test::check_true(!fit(random_samples(18, 4), 18, 4, 2), "18 samples are no candidate of degree 4");
+  std::vector<Vector> line = random_samples(50, 5);
+  for (Vector& s : line) s.y = 0;
+  test::check_true(!fit(line, 50, 2, 2), "samples on a line are no candidate");
+}
+
+void weights_have_least_risk()
+{
+  scale::Symmetric_matrix independent(3);
+  const double variances[] = {1, 2, 4};
+  for (std::size_t i = 0; i < 3; ++i) independent.set(i, i, variances[i]);
+  const scale::Least_risk least = scale::least_risk(independent, 1000);
+  for (std::size_t i = 0; i < 3; ++i)
+    test::check_near(least.weights[i], 1 / variances[i] / 1.75, 1e-2, "weights of independent estimates");
+  test::check_near(least.risk, 1 / 1.75, 1e-4, "risk of their mean");
+
+  scale::Symmetric_matrix nested(2); // the second adds nothing but variance
+  nested.set(0, 0, 1);
+  nested.set(0, 1, 1);
+  nested.set(1, 1, 3);
+  test::check_equal(scale::least_risk(nested).weights[0], 1., "weight of the efficient estimate");
+}
+
+void nonnegative_solutions()
+{
+  const auto free = scale::nonnegative_solution({{{2, 0, 0}, {0, 4, 0}, {0, 0, 8}}}, {2, 4, 8});
+  for (const double x : free) test::check_near(x, 1, 1e-12, "solution without active bounds");
+  const auto bounded = scale::nonnegative_solution({{{2, 1, 0}, {1, 2, 0}, {0, 0, 0}}}, {2, -1, 0});
+  test::check_near(bounded[0], 1, 1e-12, "solution beside a bound");
+  test::check_equal(bounded[1], 0., "solution at a bound");
+}
+
+// Random terms of known variances, many places, some noise: what the comparisons say of them.
+void model_finds_the_variances_of_terms()
+{
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  const scale::Ladder ladder = scale::ladder_of({2, 2.4, 2.9, 3.5, 4.1, 5, 6, 7.2, 8.6, 10}, {2, 4, 6});
+  const double tau[] = {0, 0, 0.05, 0, 1e-3, 0, 1e-5, 0, 1e-7}, noise = 0.01;
+  std::vector<scale::Comparisons> places;
+  for (int place = 0; place < 60; ++place) {
+    std::vector<double> c(CGAL::Jet_fitting::number_of_jet_coefficients(8));
+    for (std::size_t k = 2; k <= 8; ++k)
+      for (std::size_t j = 0; j <= k; ++j)
+        c[scale::term_index(k, j)] = normal(random) * tau[k] * std::sqrt(scale::binomial(k, j));
+    std::vector<scale::Moments> shells(ladder.radii.size());
+    for (int x = -10; x <= 10; ++x)
+      for (int y = -10; y <= 10; ++y) {
+        double z = noise * normal(random);
+        for (std::size_t k = 2; k <= 8; ++k)
+          for (std::size_t j = 0; j <= k; ++j)
+            z += c[scale::term_index(k, j)] * std::pow(double(x), double(k - j)) * std::pow(double(y), double(j));
+        for (std::size_t s = 0; s < shells.size(); ++s)
+          if (std::hypot(x, y) <= ladder.radii[s]) shells[s].add(x, y, z);
+      }
+    scale::Candidates candidates;
+    for (std::size_t i = 0; i < ladder.size(); ++i) {
+      const std::size_t s = ladder.shell(i);
+      candidates.push_back(scale::candidate(shells[s], ladder.degree(i), s, ladder.radii[s], 2));
+    }
+    places.push_back(scale::compare_all(candidates, ladder, {0, 3}, noise * noise));
+  }
+  std::vector<const scale::Comparisons*> members;
+  for (const scale::Comparisons& p : places) members.push_back(&p);
+  const scale::Comparisons means = scale::patch_means(members, ladder, 100, {0, 3});
+  const scale::Bias_model model = scale::Bias_fit(means, ladder, 2, tau[2] * tau[2]).model();
+  test::check_near(std::log2(model.terms[4] / (tau[4] * tau[4])), 0, 1, "variance of the terms of order 4");
+  test::check_near(std::log2(model.terms[6] / (tau[6] * tau[6])), 0, 1.5, "variance of the terms of order 6");
+}
+
+struct Neighbors
+{
+  const std::vector<std::vector<std::size_t>>* lists;
+  const std::vector<std::size_t>& operator()(std::size_t i) const { return (*lists)[i]; }
+};
+
+struct Errors
+{
+  double chosen = 0;                                           // RMS of both curvatures
+  double best_fixed = std::numeric_limits<double>::infinity(); // the best of plain fits, each to all vertices
+  std::vector<double> curvatures;
+};
+
+test::Curvatures curvatures_of(double x, double y, double xx, double xy, double yy)
+{
+  const double w = std::sqrt(1 + x * x + y * y);
+  const double mean = ((1 + y * y) * xx - 2 * x * y * xy + (1 + x * x) * yy) / (2 * w * w * w);
+  return test::curvatures(mean, (xx * yy - xy * xy) / (w * w * w * w), {0, 0, 1});
+}
+
+double square_of_error(const test::Curvatures& found, const test::Curvatures& truth)
+{
+  return (std::pow(found.k1 - truth.k1, 2) + std::pow(found.k2 - truth.k2, 2)) / 2;
+}
+
+// Sums over degrees 2 and 4 and 2 to 12 rings; infinite where a fit is impossible.
+void add_fixed(std::vector<double>& sums, const scale::Surface_points<Neighbors>& surface,
+               scale::Walker<Neighbors>& walker, std::size_t i, double unit, const test::Curvatures& truth)
+{
+  const scale::Local_frame frame = scale::tangent_frame(surface, walker, i, unit);
+  std::vector<std::size_t> found, ends;
+  walker.rings(i, 12, found, ends);
+  for (std::size_t rings = 2; rings <= 12; ++rings) {
+    scale::Moments moments;
+    for (std::size_t k = 0; k < ends[rings]; ++k) {
+      const Vector q = 1 / unit * frame.in(surface.points[found[k]]);
+      moments.add(q.x, q.y, q.z);
+    }
+    for (const std::size_t degree : {2, 4}) {
+      const scale::Normal_matrix matrix(moments, degree);
+      double& sum = sums[2 * rings + degree / 4];
+      if (!matrix.is_regular()) {
+        sum = std::numeric_limits<double>::infinity();
+        continue;
+      }
+      auto c = moments.heights;
+      matrix.solve(c);
+      sum += square_of_error(curvatures_of(c[1], c[2], 2 * c[3] / unit, c[4] / unit, 2 * c[5] / unit), truth);
+    }
+  }
+}
+
+// The mesh with noise, in another size.
+Errors errors_on(const test::Analytic_mesh& mesh, double noise_in_edges, double size)
+{
+  std::vector<std::set<std::size_t>> sets(mesh.points.size());
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      sets[face[k]].insert(face[(k + 1) % 3]);
+      sets[face[(k + 1) % 3]].insert(face[k]);
+    }
+  std::vector<std::vector<std::size_t>> lists;
+  for (const auto& set : sets) lists.emplace_back(set.begin(), set.end());
+  const Neighbors neighbors{&lists};
+  std::vector<Vector> points, normals(mesh.points.size(), Vector{0, 0, 0});
+  for (const test::Point& p : mesh.points) points.push_back({size * p.x, size * p.y, size * p.z});
+  const double step = scale::mean_edge(scale::Surface_points<Neighbors>{points, normals, neighbors}) * noise_in_edges;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (Vector& p : points)
+    for (double Vector::*coordinate : {&Vector::x, &Vector::y, &Vector::z}) p.*coordinate += step * normal(random);
+  for (const auto& face : mesh.faces) {
+    const Vector n = cross(points[face[1]] - points[face[0]], points[face[2]] - points[face[0]]);
+    for (const std::size_t v : face) normals[v] = normals[v] + n;
+  }
+  for (Vector& n : normals) n = 1 / std::sqrt(dot(n, n)) * n;
+  normals = scale::smoothed(normals, neighbors, 3);
+
+  const scale::Surface_points<Neighbors> surface{points, normals, neighbors};
+  const double unit = scale::mean_edge(surface), noise = scale::noise_of_surface(surface, unit);
+  if (noise_in_edges > 0) test::check_near(noise * unit / step, 1, 0.05, "estimated noise over true noise");
+  const scale::Surface_choice<Neighbors> choice(surface, noise * unit, unit);
+  scale::Walker<Neighbors> walker(surface);
+  Errors errors;
+  std::vector<double> fixed(26);
+  double count = 0;
+  for (std::size_t i = 3; i < points.size(); i += points.size() / 80, ++count) {
+    const scale::Second_order_estimate e = choice.estimate(walker, i);
+    if (!test::check_true(e.exists, "there is an estimate")) continue;
+    test::Curvatures truth = mesh.truth(mesh.points[i]);
+    truth.k1 /= size;
+    truth.k2 /= size;
+    const test::Curvatures found = curvatures_of(e.x, e.y, e.xx, e.xy, e.yy);
+    errors.chosen += square_of_error(found, truth);
+    errors.curvatures.push_back(size * found.k1);
+    add_fixed(fixed, surface, walker, i, unit, truth);
+  }
+  errors.chosen = size * std::sqrt(errors.chosen / count);
+  for (std::size_t k = 4; k < fixed.size(); ++k)
+    errors.best_fixed = std::min(errors.best_fixed, size * std::sqrt(fixed[k] / count));
+  return errors;
+}
+
+// At most 1.4 times the errors of the best of 22 plain fits, chosen with the truth known.
+void noisy_meshes()
+{
+  const test::Analytic_mesh torus = test::torus(2, 1, 120, 60), ellipsoid = test::ellipsoid(1, 0.8, 0.6, 30);
+  for (const test::Analytic_mesh* mesh : {&torus, &ellipsoid})
+    for (const double noise : {0.0001, 0.001, 0.01, 0.05}) {
+      const Errors errors = errors_on(*mesh, noise, 1);
+      std::cout << mesh->name << ", noise " << noise << ": " << errors.chosen << ", best fixed " << errors.best_fixed
+                << '\n';
+      test::check_le(errors.chosen, 1.4 * errors.best_fixed, mesh->name + ", noise " + test::text(noise));
+    }
+  test::check_true(errors_on(ellipsoid, 0.01, 1).curvatures == errors_on(ellipsoid, 0.01, 1024).curvatures,
+                   "the same bits on another scale");
+}
+
+} // namespace
+
+int main()
+{
+  responses_are_what_fits_answer();
+  covariances_are_sums_over_samples();
+  squares_do_not_depend_on_axes();
+  too_few_samples_are_no_candidate();
+  weights_have_least_risk();
+  nonnegative_solutions();
+  model_finds_the_variances_of_terms();
+  noisy_meshes();
+  return test::result();
+}
