@@ -96,6 +96,8 @@ if command -v parallel > /dev/null; then
 while [ "$1" != host ]; do shift; done
 shift
 [ "$1" != -- ] || shift
+SHELL=/bin/sh # as sshd sets it
+export SHELL
 exec sh -c "$*"
 END
   chmod +x not_ssh
