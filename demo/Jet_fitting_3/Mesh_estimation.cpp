@@ -64,6 +64,20 @@ struct Results
   std::vector<std::uint16_t> statuses;
 };
 
+// Estimates across sharp edges and at borders are not to set the range of the colors: those of one thin part would bleach
+// all the rest. If there are no others, they do.
+std::vector<double> values_for_range(const std::vector<double>& values, const Estimates& estimates)
+{
+  using Flag = CGAL::Jet_fitting::Status_flag;
+  std::vector<double> reliable;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    const auto status = estimates.statuses[v];
+    if (status.is_estimated() && !status.has(Flag::pca_ambiguous) && !status.has(Flag::one_sided))
+      reliable.push_back(values[v]);
+  }
+  return reliable.empty() ? values : reliable;
+}
+
 void set_colors(Results& r, const Arguments& a)
 {
   r.colors.assign(r.mesh.number_of_vertices(), Color{{216, 210, 200}});
@@ -73,7 +87,7 @@ void set_colors(Results& r, const Arguments& a)
   r.colored = &*q;
   std::vector<double> values;
   for (std::size_t v = 0; v < r.colors.size(); ++v) values.push_back(q->value(v, 0));
-  r.scale = Color_scale(values, a.percentile);
+  r.scale = Color_scale(values, values_for_range(values, r.estimates), a.percentile);
   std::transform(values.begin(), values.end(), r.colors.begin(), r.scale);
 }
 

@@ -11,6 +11,8 @@
 #include "check.h"
 
 #include "../../demo/Jet_fitting_3/tool/Progress.h"
+#include "../../demo/Jet_fitting_3/tool/View.h"
+#include "../../demo/Jet_fitting_3/tool/guess_pose.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -376,15 +378,17 @@ void check_inside_out()
   test::check_le(property<float>(flipped, "k2")[Vertex(0)], -0.9f, "k2 of the torus that was flipped");
 }
 
-// SIGTERM, sent while another program draws, which takes long: nothing is left behind.
+// SIGTERM, sent when another program has begun to draw, which takes long: nothing is left behind.
 void check_signals()
 {
   fs::create_directory("bin");
-  write("bin/povray", "#!/bin/sh\n[ \"$1\" = --version ] || exec sleep 20\n");
-  fs::permissions("bin/povray", fs::perms::owner_all);
+  write("bin/povray", "#!/bin/sh\n[ \"$1\" = --version ] || { touch \"${0%/*}/draws\"; exec sleep 20; }\n");
+  write("bin/terminate", "#!/bin/sh\n\"$@\" & while [ ! -e bin/draws ] && kill -0 $!; do sleep 0.05; done; "
+                         "kill -TERM $!; wait $!\n");
+  for (const char* file : {"bin/povray", "bin/terminate"}) fs::permissions(file, fs::perms::owner_all);
   const std::size_t before = number_of_files();
   const std::string usual = program;
-  program = "PATH=\"$PWD/bin:$PATH\" timeout --preserve-status -s TERM 2 " + program;
+  program = "PATH=\"$PWD/bin:$PATH\" bin/terminate " + program;
   const Run ended = run("torus.off -o ended.ply --picture ended.png");
   program = usual;
   test::check_equal(ended.exit_code, 128 + 15, "exit code after SIGTERM");
@@ -392,23 +396,63 @@ void check_signals()
   test::check_equal(number_of_files(), before, "no file is left behind after SIGTERM");
 }
 
+// What is in the file once this is there, or after a while that is ample.
+std::string contents_with(const std::string& file, const std::string& words)
+{
+  for (int i = 0; i < 1000 && contents(file).find(words) == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return contents(file);
+}
+
 // Lines come at intervals, whether the work reports or not.
 void check_progress()
 {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen("progress.txt", "w"), &std::fclose);
-  {
-    tool::Progress progress(file.get(), false, std::chrono::milliseconds(20));
-    progress.begin("fitting");
-    progress.show(0.5);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    progress.begin("drawing");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  }
-  std::fflush(file.get());
-  const std::string text = contents("progress.txt");
-  test::check_true(text.find("fitting  50 %, 0 s, 0 s left\n") != std::string::npos, "progress of a fraction: " + text);
-  test::check_true(text.find("drawing, 0 s\n") != std::string::npos, "progress without a fraction: " + text);
-  test::check_ge(std::count(text.begin(), text.end(), '\n'), 4L, "lines of progress");
+  std::setbuf(file.get(), nullptr);
+  tool::Progress progress(file.get(), false, std::chrono::milliseconds(20));
+  progress.begin("fitting");
+  progress.show(0.5);
+  const std::string half = contents_with("progress.txt", "fitting  50 %, ");
+  test::check_true(half.find("fitting  50 %, ") != std::string::npos && half.find(" s left\n") != std::string::npos,
+                   "progress of a fraction: " + half);
+  progress.begin("drawing");
+  const std::string drawing = contents_with("progress.txt", " s\ndrawing, ");
+  test::check_true(drawing.find(" s\ndrawing, ") != std::string::npos, "lines at intervals: " + drawing);
+}
+
+// Points of a strip of 12 x 1 along two axes; its corners, in order, are at 0, 48, 244 and 196.
+tool::Mesh strip(std::size_t along, std::size_t aside)
+{
+  tool::Mesh points;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 48; ++i) {
+      std::array<double, 3> p{};
+      p[along] = i / 4.;
+      p[aside] = j / 4.;
+      points.add_vertex(tool::Point(p[0], p[1], p[2]));
+    }
+  return points;
+}
+
+// A long strip lies level, along any axis of its file, as points and as a surface; and discs do not leave the frame.
+void check_view()
+{
+  for (const auto& [along, aside] : {std::pair(0, 1), {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}})
+    for (bool has_face : {false, true}) {
+      tool::Mesh mesh = strip(std::size_t(along), std::size_t(aside));
+      const tool::Vertex begin(0), end(48);
+      if (has_face) mesh.add_face(begin, end, tool::Vertex(244), tool::Vertex(196));
+      std::vector<double> radii(mesh.number_of_vertices(), 0);
+      radii[end] = 2;
+      const tool::Pose pose = tool::guess_pose(mesh, std::nullopt);
+      const tool::View view(mesh, radii, pose.to_viewer, pose.up, 2, 0);
+      const auto p = view(mesh.point(begin)), q = view(mesh.point(end));
+      const std::string name = "strip along " + std::to_string(along) + ", across " + std::to_string(aside);
+      test::check_le(std::abs(q[1] - p[1]), 1e-12, name + " lies level");
+      test::check_ge(std::abs(q[0] - p[0]), 1., name + " is seen from the side");
+      for (std::size_t i = 0; i < 2; ++i)
+        test::check_le(std::abs(q[i]) + radii[end] * view.scale(), 1., name + ": its disc is in the frame");
+    }
 }
 
 void check_refused(const std::string& file, const std::string& word)
@@ -568,5 +612,6 @@ int main(int argc, char* argv[])
   check_bad_arguments();
   check_signals();
   check_progress();
+  check_view();
   return test::result();
 }

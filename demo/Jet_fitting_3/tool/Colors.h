@@ -37,22 +37,22 @@ inline Color diverging_color(double t)
   return mix(colors[below], colors[below + 1], position - static_cast<double>(below));
 }
 
-// From values to colors. White is 0, and the range is symmetric, or ends at 0 if it holds values of one sign; it leaves
-// out a percentage of the values at either end, so that a few wild ones do not bleach the rest: they have the color of
-// the end.
+// From values to colors. White is 0, and the range is symmetric, or ends at 0 if it holds values of one sign; it is that
+// of some of the values, and leaves out a percentage of these at either end, so that a few wild ones do not bleach the
+// rest: they have the color of the end.
 class Color_scale
 {
 public:
   Color_scale() = default;
 
-  Color_scale(std::vector<double> values, double percentile)
+  Color_scale(const std::vector<double>& values, std::vector<double> in_range, double percentile)
   {
-    values.erase(std::remove_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); }),
-                 values.end());
-    if (values.empty()) return;
+    in_range.erase(std::remove_if(in_range.begin(), in_range.end(), [](double x) { return !std::isfinite(x); }),
+                   in_range.end());
+    if (in_range.empty()) return;
     const auto at = [&](double fraction) {
-      const auto nth = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
-      std::nth_element(values.begin(), nth, values.end());
+      const auto nth = in_range.begin() + std::ptrdiff_t(fraction * double(in_range.size() - 1));
+      std::nth_element(in_range.begin(), nth, in_range.end());
       return *nth;
     };
     const double low = at(percentile / 100), high = at(1 - percentile / 100);
@@ -61,9 +61,8 @@ public:
     const double least_shown = 0.02 * m_limit;
     m_low = low < -least_shown ? -m_limit : 0;
     m_high = high > least_shown || m_low == 0 ? m_limit : 0;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    m_is_clipped_below = *least < m_low;
-    m_is_clipped_above = *most > m_high;
+    m_is_clipped_below = std::any_of(values.begin(), values.end(), [this](double x) { return x < m_low; });
+    m_is_clipped_above = std::any_of(values.begin(), values.end(), [this](double x) { return x > m_high; });
   }
 
   Color operator()(double value) const

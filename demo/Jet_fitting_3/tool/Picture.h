@@ -125,14 +125,23 @@ inline Pose pose(const Mesh& mesh, const Arguments& a)
   return pose;
 }
 
+// Of discs that overlap a little.
+inline std::vector<double> disc_radii(const Mesh& points)
+{
+  std::vector<double> radii = spacing(points);
+  for (double& radius : radii) radius *= 0.6;
+  return radii;
+}
+
 inline void write_picture(std::ostream& out, const Picture& p, const Arguments& a)
 {
   const double width = 2. * a.width / a.height;
   const Pose looked_at = pose(p.mesh, a);
-  const View view(p.mesh, looked_at.to_viewer, looked_at.up, width, p.has_legend() ? Legend::column : 0);
+  const std::vector<double> radii = is_point_set(p.mesh) ? disc_radii(p.mesh) : std::vector<double>();
+  const View view(p.mesh, radii, looked_at.to_viewer, looked_at.up, width, p.has_legend() ? Legend::column : 0);
   Scene scene(out, view, width);
   const std::vector<Vector> normals = shading_normals(p.mesh, p.forms);
-  if (is_point_set(p.mesh)) scene.add_points(p.mesh, normals, spacing(p.mesh), p.colors);
+  if (is_point_set(p.mesh)) scene.add_points(p.mesh, normals, radii, p.colors);
   else scene.add_mesh(p.mesh, normals, p.colors);
   const double radius = a.draws_ridges() ? 0.0045 : 0.003;
   for (const Line_style& style : line_styles()) scene.add_lines(p.lines, style.type, radius, style.color);

@@ -67,12 +67,13 @@ public:
     m_out << " }\n}\n";
   }
 
-  // As discs across the normals, and as balls where there is none. The spacing is in units of the points.
-  void add_points(const Mesh& points, const std::vector<Vector>& normals, const std::vector<double>& spacing,
+  // As discs across the normals, and as balls of half their size where there is none. The radii are in units of the
+  // points.
+  void add_points(const Mesh& points, const std::vector<Vector>& normals, const std::vector<double>& radii,
                   const std::vector<Color>& colors)
   {
     for (Vertex v : points.vertices()) {
-      const double radius = spacing[v] * m_view.scale() * 0.6;
+      const double radius = radii[v] * m_view.scale();
       if (normals[v] == CGAL::NULL_VECTOR) m_out << "sphere { " << text(m_view(points.point(v))) << ", " << radius / 2;
       else
         m_out << "disc { " << text(m_view(points.point(v))) << ", " << text(m_view.direction(normals[v])) << ", "

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace tool {
 
@@ -25,7 +26,9 @@ class View
 {
 public:
   // \param to_viewer, up directions, not parallel
-  View(const Mesh& mesh, const Vector& to_viewer, const Vector& up, double width, double margin_right)
+  // \param radii of the discs drawn at the vertices; empty: none
+  View(const Mesh& mesh, const std::vector<double>& radii, const Vector& to_viewer, const Vector& up, double width,
+       double margin_right)
   {
     m_back = unit(-to_viewer);
     m_right = unit(CGAL::cross_product(up, to_viewer));
@@ -36,9 +39,10 @@ public:
     for (Vertex v : mesh.vertices()) {
       const std::array<double, 3> q = project(mesh.point(v));
       if (!std::isfinite(q[0] + q[1] + q[2])) continue;
+      const double radius = radii.empty() ? 0 : radii[v];
       for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = (std::min)(low[i], q[i]);
-        high[i] = (std::max)(high[i], q[i]);
+        low[i] = (std::min)(low[i], q[i] - radius);
+        high[i] = (std::max)(high[i], q[i] + radius);
       }
     }
     const double filled = 0.94, usable = width - margin_right;
@@ -59,7 +63,7 @@ public:
   std::array<double, 3> direction(const Vector& v) const { return {{v * m_right, v * m_up, v * m_back}}; }
 
   double scale() const { return m_scale; }
-  // All points have z in [-depth, depth].
+  // All that is drawn at the vertices has z in [-depth, depth].
   double depth() const { return m_depth; }
 
 private:

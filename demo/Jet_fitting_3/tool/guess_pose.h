@@ -149,8 +149,15 @@ inline int guess_up(const Shape& shape)
   return y + 0.05 >= z ? 1 : 2; // most models that stand badly are of animals, with y upwards
 }
 
-// An open surface is seen from the front, anything else from the side that is broadest, and a little from above: from
-// further above if it is flat.
+// Whether the shape is long along this axis beside the other two: aslant it would take the picture's width for its length
+// and nothing would be seen of it.
+inline bool is_bar(const Shape& shape, int axis)
+{
+  return shape.extent(axis) > 3 * (std::max)(shape.extent((axis + 1) % 3), shape.extent((axis + 2) % 3));
+}
+
+// An open surface is seen from the front, anything else from the side that is broadest; a little from aside, but a bar
+// lies level; and a little from above: from further above if it is flat.
 inline Pose guess_pose(const Mesh& mesh, std::optional<Vector> given_up)
 {
   const Shape shape(mesh);
@@ -160,7 +167,8 @@ inline Pose guess_pose(const Mesh& mesh, std::optional<Vector> given_up)
     const int across = std::abs(front.x()) > 0.7 ? 2 : 0, along = std::abs(front.y()) < 0.7 ? 1 : 2;
     if (!given_up && shape.extent(along) > 2 * shape.extent(across)) up = axis_vector(across); // a strip lies level
     const Vector right = CGAL::cross_product(up, front);
-    if (right.squared_length() > 1e-4) return {front + 0.3 * right - 0.35 * CGAL::cross_product(front, right), up};
+    const double aside = is_bar(shape, up == axis_vector(across) ? along : across) ? 0 : 0.3;
+    if (right.squared_length() > 1e-4) return {front + aside * right - 0.35 * CGAL::cross_product(front, right), up};
     return {up + Vector(0.7, -0.9, 0.8), up}; // a terrain
   }
   int up = guess_up(shape);
@@ -172,7 +180,8 @@ inline Pose guess_pose(const Mesh& mesh, std::optional<Vector> given_up)
   // of files with z upwards the front is towards -y, of those with y upwards towards z
   const Vector towards = up == 2 && thin == 1 ? -axis_vector(1) : axis_vector(thin);
   const Vector upwards = given_up ? *given_up / std::sqrt(given_up->squared_length()) : axis_vector(up);
-  return {towards + 0.4 * axis_vector(broad) + (is_flat ? 1. : 0.3) * upwards, upwards};
+  const double aside = is_bar(shape, broad) ? 0 : 0.4;
+  return {towards + aside * axis_vector(broad) + (is_flat ? 1. : 0.3) * upwards, upwards};
 }
 
 } // namespace tool

@@ -19,7 +19,7 @@
 
 namespace tool {
 
-// For each point the distance to the sixth nearest one: discs of half that radius overlap a little.
+// For each point the distance to the sixth nearest one.
 inline std::vector<double> spacing(const Mesh& points)
 {
   using Traits = CGAL::Search_traits_3<Kernel>;
