@@ -8,8 +8,8 @@
 // among them; single points by a Point_estimator; numbers that are none.
 
 #include "check.h"
+#include "double_forms.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/property_map.h>
 
@@ -28,26 +28,9 @@
 using namespace test;
 using namespace CGAL::Jet_fitting;
 
-using Kernel = CGAL::Simple_cartesian<double>;
 using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using Point_set = std::vector<Point_with_normal>;
-using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
-using Forms = std::vector<Form>;
 using Summary = Estimation_summary<std::size_t>;
-
-bool same_bits(const Form& f, const Form& g)
-{
-  return f.coefficients() == g.coefficients() && f.origin() == g.origin() &&
-         f.maximal_principal_direction() == g.maximal_principal_direction() &&
-         f.normal_direction() == g.normal_direction();
-}
-
-bool same_quality(const Fit_quality& a, const Fit_quality& b)
-{
-  const auto &e = a.standard_errors.coefficients, &f = b.standard_errors.coefficients;
-  return a.number_of_points == b.number_of_points && a.condition_number == b.condition_number &&
-         std::equal(e.begin(), e.end(), f.begin(), f.end()) && a.scale.radius == b.scale.radius;
-}
 
 // On an ellipsoid, with its normals; copies, copies with the opposite normal, and points that are not finite.
 Point_set points_of_ellipsoid(std::size_t n)

@@ -9,8 +9,8 @@
 
 #include "analytic_meshes.h"
 #include "check.h"
+#include "double_forms.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
@@ -26,27 +26,9 @@
 using namespace test;
 using namespace CGAL::Jet_fitting;
 
-using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
-using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
-using Forms = std::vector<Form>;
 using Summary = Estimation_summary<Vertex>;
-
-bool same_bits(const Form& f, const Form& g)
-{
-  return f.coefficients() == g.coefficients() && f.origin() == g.origin() &&
-         f.maximal_principal_direction() == g.maximal_principal_direction() &&
-         f.normal_direction() == g.normal_direction();
-}
-
-bool same_quality(const Fit_quality& a, const Fit_quality& b)
-{
-  const auto &e = a.standard_errors.coefficients, &f = b.standard_errors.coefficients;
-  return a.number_of_points == b.number_of_points && a.condition_number == b.condition_number &&
-         a.residual_rms == b.residual_rms && std::equal(e.begin(), e.end(), f.begin(), f.end()) &&
-         a.scale.bias == b.scale.bias;
-}
 
 // Every 17th, from the end, the spoiled vertices, and one twice.
 std::vector<Vertex> some_of(const Mesh& mesh)

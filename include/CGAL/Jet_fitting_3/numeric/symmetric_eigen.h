@@ -128,27 +128,28 @@ public:
     m_no_gap = FT(epsilon<FT>()) * (m_diagonal[0] + m_diagonal[1] + m_diagonal[2]);
   }
 
-  /// Turns axes p < q in their plane so that their entry vanishes, in the lanes where it is not negligible: what becomes
-  /// of a lane does not depend on the others. \return false if it was negligible in all lanes
+  /// Turns axes p < q in their plane so that their entry vanishes; in lanes where it is negligible, by the identity: what
+  /// becomes of a lane does not depend on the others. \return false if it was negligible in all lanes
   template <std::size_t p, std::size_t q>
   bool rotate()
   {
     constexpr std::size_t r = 3 - p - q; // the entry of p and q is opposite to r
-    FT &pp = m_diagonal[p], &qq = m_diagonal[q], &pq = m_opposite[r], &pr = m_opposite[q], &qr = m_opposite[p];
-    const FT negligible_angle = FT(4) * epsilon<FT>();
-    const auto turns = absolute(pq) > FT(negligible_angle * larger(absolute(FT(pp - qq)), m_no_gap));
+    FT &pp = m_diagonal[p], &qq = m_diagonal[q], &pr = m_opposite[q], &qr = m_opposite[p];
+    const FT negligible_angle = FT(4) * epsilon<FT>(), entry = m_opposite[r];
+    const auto turns = absolute(entry) > FT(negligible_angle * larger(absolute(FT(pp - qq)), m_no_gap));
     if (!any(turns)) return false;
+    const FT pq = select(turns, entry, FT(0));
     const Rotation<FT> rotation = jacobi_rotation(pp, pq, qq);
     const FT c = rotation.cosine, s = rotation.sine;
-    pp = select(turns, FT(pp + rotation.tangent * pq), pp);
-    qq = select(turns, FT(qq - rotation.tangent * pq), qq);
-    pq = select(turns, FT(0), pq);
+    pp = pp + rotation.tangent * pq;
+    qq = qq - rotation.tangent * pq;
+    m_opposite[r] = entry - pq;
     const FT pr_before = pr;
-    pr = select(turns, FT(c * pr + s * qr), pr);
-    qr = select(turns, FT(c * qr - s * pr_before), qr);
+    pr = c * pr + s * qr;
+    qr = c * qr - s * pr_before;
     const Vector_3<FT> p_before = m_axes[p];
-    m_axes[p] = chosen(turns, c * m_axes[p] + s * m_axes[q], m_axes[p]);
-    m_axes[q] = chosen(turns, c * m_axes[q] - s * p_before, m_axes[q]);
+    m_axes[p] = c * m_axes[p] + s * m_axes[q];
+    m_axes[q] = c * m_axes[q] - s * p_before;
     return true;
   }
 
@@ -166,7 +167,13 @@ public:
   }
 
   const std::array<FT, 3>& diagonal() const { return m_diagonal; }
-  const std::array<Vector_3<FT>, 3>& axes() const { return m_axes; }
+
+  /// Their zeros have no sign, which identities would have changed: -0 + 0 is 0.
+  std::array<Vector_3<FT>, 3> axes() const
+  {
+    const Vector_3<FT> zero{FT(0), FT(0), FT(0)};
+    return {{m_axes[0] + zero, m_axes[1] + zero, m_axes[2] + zero}};
+  }
 
 private:
   static Vector_3<FT> chosen(const Mask_of<FT>& mask, const Vector_3<FT>& a, const Vector_3<FT>& b)

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/fitting/Kept_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
@@ -47,19 +48,12 @@ std::vector<double> weights_of_samples(const Sample_set<Number>& samples, const 
   return result;
 }
 
-/// The forms of samples, as they come.
+/// The forms of samples.
 template <class Kernel>
-class Sample_forms
+class Sample_forms : public Kept_forms<Kernel>
 {
 public:
-  explicit Sample_forms(std::size_t size) : m_forms(size) {}
-
-  template <class Report>
-  void operator()(const Estimated_block<Kernel>& block, const Report& report)
-  {
-    for (std::size_t i = 0; i < block.results.size(); ++i) m_forms[block.first + i] = block.results[i].form;
-    report(block);
-  }
+  using Kept_forms<Kernel>::Kept_forms;
 
   /// Gives its form to each point that is wanted, in order, up to the first that was not reached: points at one place
   /// have the same, each on the side of its normal.
@@ -99,7 +93,7 @@ private:
     return result;
   }
 
-  std::vector<Monge_form<Kernel>> m_forms;
+  using Kept_forms<Kernel>::m_forms;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

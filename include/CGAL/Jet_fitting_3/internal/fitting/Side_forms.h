@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/fitting/Kept_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
@@ -21,19 +22,12 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The forms of the nodes of a cut mesh, as they come.
+/// The forms of the nodes of a cut mesh.
 template <class Kernel>
-class Side_forms
+class Side_forms : public Kept_forms<Kernel>
 {
 public:
-  explicit Side_forms(std::size_t size) : m_forms(size) {}
-
-  template <class Report>
-  void operator()(const Estimated_block<Kernel>& block, const Report& report)
-  {
-    for (std::size_t i = 0; i < block.results.size(); ++i) m_forms[block.first + i] = block.results[i].form;
-    report(block);
-  }
+  using Kept_forms<Kernel>::Kept_forms;
 
   /// Hands the forms out in the order of the sides, up to the first that was not reached.
   /// \return the reports in that order
@@ -53,7 +47,7 @@ public:
   }
 
 private:
-  std::vector<Monge_form<Kernel>> m_forms;
+  using Kept_forms<Kernel>::m_forms;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -51,38 +51,29 @@ private:
 class Area_sum
 {
 public:
-  void add(Vector_3<float> area, int step)
+  void add(const Vector_3<float>& area, int step)
   {
-    if (step > m_step) {
-      m_sum = std::ldexp(1.f, 64 * (m_step - step)) * m_sum;
-      m_step = static_cast<std::int8_t>(step);
-    } else if (step < m_step) {
-      area = std::ldexp(1.f, 64 * (step - m_step)) * area;
-    }
-    m_sum = m_sum + area;
+    m_sum = m_sum + (step == m_step ? area : in_common_unit(area, step));
   }
 
   /// Up to a power of two.
   const Vector_3<float>& direction() const { return m_sum; }
 
 private:
-  Vector_3<float> m_sum{0, 0, 0};
-  std::int8_t m_step = -32;
-};
-
-/// The vector area of a face in a unit that suits it, from the offsets of its corners from the first.
-template <class Offset_of, class Corner>
-Vector_3<double> area_in_units(const Offset_of& offset_of, Corner begin, Corner end, double per_length)
-{
-  Vector_3<double> area{0, 0, 0};
-  Vector_3<double> last = per_length * offset_of(begin[1]);
-  for (auto corner = begin + 2; corner != end; ++corner) {
-    const Vector_3<double> next = per_length * offset_of(*corner);
-    area = area + cross(last, next);
-    last = next;
+  /// The area in the unit of the sum, which becomes the larger of both, and any if the sum is zero.
+  Vector_3<float> in_common_unit(const Vector_3<float>& area, int step)
+  {
+    if (m_sum.x != 0 || m_sum.y != 0 || m_sum.z != 0) {
+      if (step < m_step) return std::ldexp(1.f, 64 * (step - m_step)) * area;
+      m_sum = std::ldexp(1.f, 64 * (m_step - step)) * m_sum;
+    }
+    m_step = static_cast<std::int8_t>(step);
+    return area;
   }
-  return area;
-}
+
+  Vector_3<float> m_sum{0, 0, 0};
+  std::int8_t m_step = 0;
+};
 
 /// Adds the vector areas of faces to sums. Those with a corner that is not finite do not count.
 template <class Kernel>
@@ -95,20 +86,51 @@ public:
   template <class Corner, class Add>
   void operator()(Corner begin, Corner end, const Add& add)
   {
-    const auto offset_of = [&](Index i) { return m_points.template offset<double>(*begin, i); };
-    double size = 0;
-    for (auto corner = begin + 1; corner != end; ++corner) {
-      const Vector_3<double> d = offset_of(*corner);
-      size = (std::max)({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    Vector_3<double> area = area_in_units(begin, end);
+    if (!is_in_range(area)) {
+      const double size = extent(begin, end);
+      if (!(size > 0) || !std::isfinite(size)) return;
+      if (!m_unit.suits(size)) m_unit = Coarse_unit(size);
+      area = area_in_units(begin, end);
+      if (!std::isfinite(area.x + area.y + area.z)) return;
     }
-    if (!(size > 0) || !std::isfinite(size)) return;
-    if (!m_unit.suits(size)) m_unit = Coarse_unit(size);
-    const Vector_3<double> area = area_in_units(offset_of, begin, end, m_unit.per_length());
-    if (!std::isfinite(area.x + area.y + area.z)) return;
     add(Vector_3<float>{float(area.x), float(area.y), float(area.z)}, m_unit.step());
   }
 
 private:
+  template <class Corner>
+  Vector_3<double> area_in_units(Corner begin, Corner end) const
+  {
+    const double per_length = m_unit.per_length();
+    Vector_3<double> area{0, 0, 0};
+    Vector_3<double> last = per_length * m_points.template offset<double>(*begin, begin[1]);
+    for (auto corner = begin + 2; corner != end; ++corner) {
+      const Vector_3<double> next = per_length * m_points.template offset<double>(*begin, *corner);
+      area = area + cross(last, next);
+      last = next;
+    }
+    return area;
+  }
+
+  /// Whether no digit has been lost in double, and none will be in float: most faces are like the one before.
+  static bool is_in_range(const Vector_3<double>& area)
+  {
+    const double square = dot(area, area);
+    return 0x1p-128 <= square && square <= 0x1p128; // not if it is not a number
+  }
+
+  /// The largest coordinate of an offset from the first corner.
+  template <class Corner>
+  double extent(Corner begin, Corner end) const
+  {
+    double size = 0;
+    for (auto corner = begin + 1; corner != end; ++corner) {
+      const Vector_3<double> d = m_points.template offset<double>(*begin, *corner);
+      size = (std::max)({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    return size;
+  }
+
   const Point_table<Kernel>& m_points;
   Coarse_unit m_unit;
 };
