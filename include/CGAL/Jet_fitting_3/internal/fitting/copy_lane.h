@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Pack.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -31,9 +32,11 @@ void copy_lane(const Local_estimate<numeric::Pack<FT, lanes>>& from, int i, Loca
   to.fitting.centroid = vector(from.fitting.centroid);
   to.origin = vector(from.origin);
   to.monge_axes = {vector(from.monge_axes.x), vector(from.monge_axes.y), vector(from.monge_axes.z)};
-  to.coefficients = converted(from.coefficients, number);
+  to.coefficients.resize(from.coefficients.size());
+  std::transform(from.coefficients.begin(), from.coefficients.end(), to.coefficients.begin(), number);
   to.residual_rms = number(from.residual_rms);
-  to.standard_errors = converted(from.standard_errors, number);
+  if (from.standard_errors.is_estimated) to.standard_errors = converted(from.standard_errors, number);
+  else to.standard_errors.is_estimated = false;
 }
 
 /// The rest of it that a Jet_surface needs.
