@@ -130,11 +130,16 @@ template <class FT>
 void substitute_back(Upper_triangle<FT>& r, Buffer<FT, 45>& y)
 {
   const std::size_t columns = r.size();
+  FT* const unknowns = y.data();
+  FT* row = r.row(columns);
   for (std::size_t i = columns; i-- > 0;) {
-    FT* const row = r.row(i);
-    for (std::size_t j = columns; --j > i;) y[i] = y[i] - row[j - i] * y[j];
-    row[0] = square_root(row[0]);
-    for (std::size_t j = 1; j < columns - i; ++j) row[j] = row[0] * row[j];
+    row -= columns - i;
+    FT rest = unknowns[i];
+    for (std::size_t j = columns; --j > i;) rest = rest - row[j - i] * unknowns[j];
+    unknowns[i] = rest;
+    const FT norm = square_root(row[0]);
+    row[0] = norm;
+    for (std::size_t j = 1; j < columns - i; ++j) row[j] = norm * row[j];
   }
 }
 
