@@ -41,8 +41,10 @@ Estimation_status assess(const Local_estimate<FT>& e, std::size_t d)
     const FT k1 = e.coefficients[0], k2 = e.coefficients[1];
     const FT square_size = variances[0] + variances[1];
     const FT larger = numeric::larger(numeric::absolute(k1), numeric::absolute(k2));
-    const FT open = FT(3.0 * double(d)) * e.residual_rms / square_size + FT(1e-6) * larger;
-    const bool is_flat = !(larger > open), is_round = !(k1 - k2 > open) && !(FT(10) * (k1 - k2) > larger);
+    const FT height = FT(3.0 * double(d)) * e.residual_rms; // of residuals, and of what is curved as strongly
+    const auto is_significant = [&](const FT& k) { return (k - FT(1e-6) * larger) * square_size > height; };
+    const bool is_flat = !is_significant(larger),
+               is_round = !is_significant(FT(k1 - k2)) && !(FT(10) * (k1 - k2) > larger);
     if (is_flat || is_round) status |= Status_flag::near_umbilic;
   }
   const FT mean_over_rms(0.45), square_mean = dot(e.fitting.centroid, e.fitting.centroid);
