@@ -542,9 +542,13 @@ void check_claims()
                           "property list int int vertex_indices\nend_header\n";
   write("claim.ply", "ply\nformat binary_little_endian 1.0\n" + ply + std::string(36, 0) + "\xff\xff\xff\x7f");
   write("claim_text.ply", "ply\nformat ascii 1.0\n" + ply + "0 0 0\n1 0 0\n0 1 0\n2147483647 0 1 2\n");
+  const std::string header(80, ' ');
+  write("claim.stl", header + "\xff\xff\xff\xff"); // 4294967295 facets in 84 bytes
+  write("cut.stl", header + std::string("\2\0\0\0", 4) + std::string(50, '\0'));
   const std::string usual = program;
   program = "ulimit -v 4000000; " + program;
-  for (const char* file : {"claim.off", "claim.ply", "claim_text.ply"}) check_refused(file, "cut short");
+  for (const char* file : {"claim.off", "claim.ply", "claim_text.ply", "claim.stl", "cut.stl"})
+    check_refused(file, "cut short");
   program = usual;
 }
 

@@ -75,6 +75,27 @@ void forms(const std::string& what)
 
 double written_value(std::size_t v) { return std::sin(double(v)); }
 
+// Binary STL files have the low byte first, on all machines.
+void write_stl(const std::string& file)
+{
+  std::ofstream out(file, std::ios::binary);
+  const auto put = [&out](const auto& number) {
+    char bytes[sizeof(number)];
+    std::memcpy(bytes, &number, sizeof(number));
+    if (!tool::is_little_endian()) std::reverse(bytes, bytes + sizeof(number));
+    out.write(bytes, sizeof(number));
+  };
+  out << std::string(80, ' ');
+  put(std::uint32_t(surface.faces.size()));
+  for (const auto& face : surface.faces) {
+    for (int i = 0; i < 3; ++i) put(0.f);
+    for (const std::size_t corner : face)
+      for (const double x : {surface.points[corner].x, surface.points[corner].y, surface.points[corner].z})
+        put(float(x));
+    put(std::uint16_t(0));
+  }
+}
+
 void write_files(const std::filesystem::path& folder)
 {
   tool::Mesh mesh;
@@ -88,6 +109,7 @@ void write_files(const std::filesystem::path& folder)
   tool::write_ply(ply, table);
   tool::write_vtp(vtp, table);
   check_true(bool(ply) && bool(vtp), "files are written");
+  write_stl((folder / "torus.stl").string());
 }
 
 void read_ply(const std::string& file)
@@ -104,6 +126,23 @@ void read_ply(const std::string& file)
       farthest = std::max(farthest, std::abs(mesh.point(v)[c] - written));
     }
   check_le(farthest, 1e-13, "distance of points of the PLY file from those that were written");
+}
+
+void read_stl(const std::string& file)
+{
+  const tool::Mesh mesh = tool::read_input(file).mesh;
+  check_equal(mesh.number_of_faces(), surface.faces.size(), "faces of the STL file");
+  check_equal(mesh.number_of_vertices(), surface.points.size(), "points of the STL file");
+  double farthest = 0;
+  for (const auto v : vertices_around_face(mesh.halfedge(*mesh.faces_begin()), mesh)) {
+    double nearest = 1e9;
+    for (const std::size_t i : surface.faces[0])
+      nearest =
+          std::min(nearest, std::hypot(mesh.point(v).x() - surface.points[i].x, mesh.point(v).y() - surface.points[i].y,
+                                       mesh.point(v).z() - surface.points[i].z));
+    farthest = std::max(farthest, nearest);
+  }
+  check_le(farthest, 1e-6, "distance of the corners of the first face of the STL file from what was written");
 }
 
 // The numbers of one array of a VTP file, whatever its byte order.
@@ -161,6 +200,7 @@ int main(int argc, char** argv)
   if (task != "write") {
     read_ply((folder / "torus.ply").string());
     read_vtp((folder / "torus.vtp").string());
+    read_stl((folder / "torus.stl").string());
   }
   if (task == "all") std::filesystem::remove_all(folder);
   return result();

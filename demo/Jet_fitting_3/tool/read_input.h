@@ -11,12 +11,14 @@
 #include "extension.h"
 #include "mend_soup.h"
 #include "ply_stream.h"
+#include "stl_stream.h"
 #include "Input_error.h"
 #include "check_ply.h"
 #include "read_off.h"
 #include "why_not_a_mesh.h"
 
 #include <CGAL/IO/PLY.h>
+#include <CGAL/IO/STL.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
@@ -114,6 +116,7 @@ inline bool read_soup(const std::string& file, std::vector<Point>& points, std::
   const std::string format = extension(file);
   if (format == "off") return read_off(file, points, faces);
   if (format == "ply") return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
+  if (format == "stl") return CGAL::IO::read_STL(*stl_stream(file), points, faces);
   return CGAL::IO::read_polygon_soup(file, points, faces);
 }
 
