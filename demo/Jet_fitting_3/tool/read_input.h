@@ -116,7 +116,7 @@ inline bool read_soup(const std::string& file, std::vector<Point>& points, std::
   const std::string format = extension(file);
   if (format == "off") return read_off(file, points, faces);
   if (format == "ply") return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
-  if (format == "stl") return CGAL::IO::read_STL(*stl_stream(file), points, faces);
+  if (format == "stl") return !is_cut_short_stl(file) && CGAL::IO::read_STL(*stl_stream(file), points, faces);
   return CGAL::IO::read_polygon_soup(file, points, faces);
 }
 
