@@ -38,7 +38,7 @@ public:
   /// \param per_length how many units one length is: radii are given in units
   Ball_search(const Sample_set<Number>& samples, double per_length) : m_samples(samples), m_per_length(per_length) {}
 
-  /// Replaces `found` by the sample and those of its side in the ball, in the order of the tree.
+  /// Replaces `found` by the sample and those of its side in the ball, in the order of their coordinates.
   void operator()(std::size_t sample, double radius, Indices& found) const
   {
     found.clear();

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -37,35 +38,40 @@ class Nearest_selection
   using Tree = Point_tree<Number>;
   using Place = typename Tree::Place;
   using Wide = typename Tree::Wide;
-  using Doubtful = std::pair<Wide, Found_sample>;
+  using Candidates = Neighbor_candidates<Number>;
+  using Positions = typename Candidates::Positions;
+
+  struct Doubtful
+  {
+    Wide squared;
+    std::uint32_t position;
+  };
 
 public:
   explicit Nearest_selection(const Tree& tree) : m_tree(tree) {}
 
-  void keep_nearest(const Place& place, std::size_t k, std::vector<Found_sample>& found)
+  /// Leaves the k nearest of these positions, in their order.
+  void keep_nearest(const Place& place, std::size_t k, const Candidates& candidates, Positions& found)
   {
     if (found.size() <= k) return;
     if (k == 0) return found.clear();
-    m_sorted.clear();
-    for (const Found_sample& f : found) m_sorted.push_back(f.squared);
-    const auto kth = m_sorted.rbegin() + std::ptrdiff_t(m_sorted.size() - k);
-    if (m_sorted.size() - k < 4) std::partial_sort(m_sorted.rbegin(), kth + 1, m_sorted.rend(), std::greater<float>());
-    else std::nth_element(m_sorted.rbegin(), kth, m_sorted.rend(), std::greater<float>());
-    const float inside = narrowed(*kth), outside = widened(*kth);
-    const auto is_outside = [&](const Found_sample& f) { return f.squared > outside; };
-    found.erase(std::remove_if(found.begin(), found.end(), is_outside), found.end());
+    const float kth = kth_least(k, candidates, found), inside = narrowed(kth), outside = widened(kth);
+    const auto keep_if = [&](const auto& is_kept) {
+      found.erase(std::remove_if(found.begin(), found.end(), [&](std::uint32_t i) { return !is_kept(i); }),
+                  found.end());
+    };
+    keep_if([&](std::uint32_t i) { return candidates.squared(i) <= outside; });
     if (found.size() == k) return;
     m_doubtful.clear();
-    std::size_t sure = 0;
-    for (const Found_sample& f : found) {
-      if (f.squared < inside) found[sure++] = f;
-      else m_doubtful.push_back({0, f});
-    }
-    keep_nearest_exactly(place, k - sure);
-    found.resize(sure);
-    for (const auto& f : m_doubtful) found.push_back(f.second);
-    std::inplace_merge(found.begin(), found.begin() + std::ptrdiff_t(sure), found.end(),
-                       [](const Found_sample& a, const Found_sample& b) { return a.sample < b.sample; });
+    for (const std::uint32_t i : found)
+      if (!(candidates.squared(i) < inside)) m_doubtful.push_back({0, i});
+    keep_nearest_exactly(place, k - (found.size() - m_doubtful.size()), candidates);
+    auto next = m_doubtful.begin(); // of those that are left, in the order of the positions
+    keep_if([&](std::uint32_t i) {
+      const bool is_left = next != m_doubtful.end() && next->position == i;
+      next += is_left;
+      return is_left || candidates.squared(i) < inside;
+    });
   }
 
   std::array<Wide, 3> offset(const Place& place, Index sample) const
@@ -87,29 +93,46 @@ public:
   static constexpr Wide largest() { return (std::numeric_limits<Wide>::max)(); }
 
 private:
-  void keep_nearest_exactly(const Place& place, std::size_t k)
+  /// The k-th least of their squared distances; usually there are few more than k.
+  float kth_least(std::size_t k, const Candidates& candidates, const Positions& found)
+  {
+    m_sorted.clear();
+    for (const std::uint32_t i : found) m_sorted.push_back(candidates.squared(i));
+    const std::size_t more = m_sorted.size() - k;
+    const auto kth = m_sorted.begin() + std::ptrdiff_t(more);
+    if (more < 4) { // the largest ones move to the front
+      std::sort(m_sorted.begin(), kth + 1, std::greater<float>());
+      for (auto i = kth + 1; i != m_sorted.end(); ++i) {
+        if (*i > *kth) std::swap(*i, *kth);
+        for (auto j = kth; j != m_sorted.begin() && *j > *(j - 1); --j) std::swap(*j, *(j - 1));
+      }
+    } else std::nth_element(m_sorted.begin(), kth, m_sorted.end(), std::greater<float>());
+    return *kth;
+  }
+
+  void keep_nearest_exactly(const Place& place, std::size_t k, const Candidates& candidates)
   {
     constexpr Wide least = (std::numeric_limits<Wide>::min)() /
                            (std::numeric_limits<Wide>::epsilon() * std::numeric_limits<Wide>::epsilon());
-    const auto nearer = [this](const Doubtful& a, const Doubtful& b) {
-      return a.first < b.first || (a.first == b.first && m_tree.is_before_in_space(a.second.sample, b.second.sample));
+    const auto nearer = [&](const Doubtful& a, const Doubtful& b) { // positions are in the order of the places
+      return a.squared < b.squared || (a.squared == b.squared && a.position < b.position);
     };
     while (m_doubtful.size() > k) {
       Wide size = 0;
       for (const Doubtful& f : m_doubtful)
-        for (const Wide d : offset(place, f.second.sample)) size = (std::max)(size, std::abs(d));
+        for (const Wide d : offset(place, candidates.sample(f.position))) size = (std::max)(size, std::abs(d));
       const Wide per_unit = 1 / numeric::power_of_two_above(size);
-      for (Doubtful& f : m_doubtful) f.first = squared(place, f.second.sample, per_unit);
+      for (Doubtful& f : m_doubtful) f.squared = squared(place, candidates.sample(f.position), per_unit);
       const auto last = m_doubtful.begin() + std::ptrdiff_t(k - 1);
       std::nth_element(m_doubtful.begin(), last, m_doubtful.end(), nearer);
-      if (last->first >= least || size == 0) m_doubtful.resize(k);
+      if (last->squared >= least || size == 0) m_doubtful.resize(k);
       else // some have underflowed: the same again without those that are far farther
         m_doubtful.erase(std::remove_if(m_doubtful.begin(), m_doubtful.end(),
-                                        [&](const Doubtful& f) { return f.first >= least; }),
+                                        [&](const Doubtful& f) { return f.squared >= least; }),
                          m_doubtful.end());
     }
     std::sort(m_doubtful.begin(), m_doubtful.end(),
-              [](const Doubtful& a, const Doubtful& b) { return a.second.sample < b.second.sample; });
+              [](const Doubtful& a, const Doubtful& b) { return a.position < b.position; });
   }
 
   const Tree& m_tree;

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/gathering/Bucket_sort.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_tree.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -24,12 +26,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-struct Found_sample
-{
-  float squared; // distance, in the unit of the candidates
-  Index sample;
-};
 
 /// Bounds the error of a distance between two offsets of candidates, in their unit.
 constexpr float candidate_error = 0x1p-17f;
@@ -60,7 +56,9 @@ std::array<Wide, 3> gap(const Box& a, const Box& b)
 }
 
 /// The samples near a box, found by one traversal, as offsets in single precision from its middle in a unit of about
-/// their size. Squared distances of these are right to candidate_error in the length.
+/// their size. Squared distances of these are right to candidate_error in the length. They are in an order that depends
+/// on no other samples, that of their coordinates, which selections from them keep: sums over these are then the same
+/// bits in every set. A selection has their positions here.
 template <class Number>
 class Neighbor_candidates
 {
@@ -70,12 +68,18 @@ class Neighbor_candidates
   using Wide = typename Tree::Wide;
 
 public:
+  using Positions = std::vector<std::uint32_t>;
+
   explicit Neighbor_candidates(const Tree& tree) : m_tree(tree) {}
 
   /// The radius that was gathered, in the unit.
   float radius() const { return m_radius; }
 
-  /// Gathers, in order, the samples that are not farther than the radius from a box.
+  Index sample(std::uint32_t position) const { return m_samples[position]; }
+  /// Its squared distance from the place that was measured last.
+  float squared(std::uint32_t position) const { return m_squared[position]; }
+
+  /// Gathers the samples that are not farther than the radius from a box.
   void gather(const Box& box, Wide radius)
   {
     Place half;
@@ -97,59 +101,67 @@ public:
     const std::array<float, 3> half_box{float(half[0] * m_per_unit), float(half[1] * m_per_unit),
                                         float(half[2] * m_per_unit)};
     m_tree.for_each_leaf(is_near, [&](Index first, Index last) { gather_leaf(first, last, half_box); });
+    put_in_order();
   }
 
-  /// Squared distances in the unit from a place to what was gathered.
-  void measure(const Place& place)
+  /// Squared distances from a place to what was gathered and may be within this one, all in the unit.
+  void measure(const Place& place, float within = 0x1p100f)
   {
     std::array<float, 3> p;
     for (std::size_t axis = 0; axis < 3; ++axis)
       p[axis] = float((Wide(place[axis]) - Wide(m_middle[axis])) * m_per_unit);
+    m_x = p[0];
+    m_measured = within;
+    set_range(within);
     const float *const x = m_offsets[0].data(), *const y = m_offsets[1].data(), *const z = m_offsets[2].data();
     float* const squared = m_squared.data();
-    for (std::size_t i = 0; i < m_count; ++i) {
+    for (std::size_t i = m_first; i < m_last; ++i) {
       const float dx = x[i] - p[0], dy = y[i] - p[1], dz = z[i] - p[2];
       squared[i] = dx * dx + dy * dy + dz * dz;
     }
   }
 
   /// Improves a guess of the squared radius that holds at least `sought` samples, and few more unless many are at the
-  /// same distance. False where some of them may not have been gathered.
+  /// same distance. False where some of them may not have been gathered, or measured.
   bool find_radius(std::size_t sought, float& squared) const
   {
-    const bool has_all = m_count == m_tree.size();
-    const float limit = has_all ? std::numeric_limits<float>::max() : narrowed(m_radius * m_radius);
+    const bool has_all = m_last - m_first == m_tree.size();
+    const float limit =
+        has_all ? std::numeric_limits<float>::max() : (std::min)(m_measured, narrowed(m_radius * m_radius));
     float low = 0, high = limit, tried = (std::min)(squared, limit);
-    bool is_enough = false;
-    for (int pass = 0; pass < 8 || !is_enough; ++pass) {
+    std::size_t less = 0, more = 0; // how many are within low and high, the latter once there are enough
+    for (int pass = 0; pass < 8 || more == 0; ++pass) {
       const std::size_t n = count(tried);
-      if (n >= sought) {
-        high = tried;
-        is_enough = true;
-        if (n <= sought + sought / 16) break;
-      } else {
+      if (n < sought) {
         if (tried == limit) return false;
         low = tried;
+        less = n;
+      } else {
+        high = tried;
+        more = n;
+        if (n == sought || (pass > 2 && n <= sought + sought / 16)) break;
       }
-      const float next = tried * ((float(sought) + 0.5f) / float((std::max)(n, std::size_t(1))));
-      if (next > low && next < high && pass < 8) tried = next;
-      else tried = is_enough ? low + (high - low) / 2 : limit;
+      const float middle = more > 0 ? low + (high - low) / 2 : limit, missing = float(sought - less) + 0.5f;
+      const float next = more > 0   ? low + (high - low) * (missing / float(more - less))
+                         : less > 0 ? low * (1 + missing / float(less))
+                                    : middle;
+      tried = next > low && next < high && pass < 8 ? next : middle;
     }
     squared = high;
     return true;
   }
 
   /// Finds all that may be within a distance.
-  void pick(float squared, std::vector<Found_sample>& found)
+  void pick(float squared, Positions& picked)
   {
     const float bound = widened(squared);
-    Found_sample* const picked = m_picked.data();
+    set_range(squared);
     std::size_t n = 0;
-    for (std::size_t i = 0; i < m_count; ++i) {
-      picked[n] = {m_squared[i], m_samples[i]};
+    for (std::size_t i = m_first; i < m_last; ++i) {
+      m_picked[n] = static_cast<std::uint32_t>(i);
       n += m_squared[i] <= bound;
     }
-    found.assign(picked, picked + n);
+    picked.assign(m_picked.begin(), m_picked.begin() + std::ptrdiff_t(n));
   }
 
 private:
@@ -183,23 +195,50 @@ private:
     }
   }
 
+  /// Rounded offsets along the first axis are in the order of the coordinates, but for those that became equal.
+  void put_in_order()
+  {
+    const Positions& order = m_sort(m_offsets[0].data(), m_count, [this](std::uint32_t a, std::uint32_t b) {
+      return m_tree.is_before_in_space(m_samples[a], m_samples[b]);
+    });
+    for (std::vector<float>& offsets : m_offsets) {
+      for (std::size_t i = 0; i < m_count; ++i) m_squared[i] = offsets[order[i]];
+      offsets.swap(m_squared);
+    }
+    m_unsorted.swap(m_samples);
+    m_samples.resize(m_unsorted.size());
+    for (std::size_t i = 0; i < m_count; ++i) m_samples[i] = m_unsorted[order[i]];
+  }
+
+  /// Of what may be within a distance from the place that is measured.
+  void set_range(float squared)
+  {
+    const float reach = std::sqrt(squared) + 2 * candidate_error;
+    m_first = m_sort.rank_from(m_x - reach);
+    m_last = m_sort.rank_to(m_x + reach);
+  }
+
   std::size_t count(float squared) const
   {
     std::uint32_t result = 0;
     const float* const all = m_squared.data();
-    for (std::size_t i = 0; i < m_count; ++i) result += all[i] <= squared;
+    for (std::size_t i = m_first; i < m_last; ++i) result += all[i] <= squared;
     return result;
   }
 
   const Tree& m_tree;
+  Bucket_sort m_sort;
   Place m_middle{};
   Wide m_per_unit = 1;
   float m_radius = 0;
   std::size_t m_count = 0;
+  std::size_t m_first = 0, m_last = 0; // of those that are measured
+  float m_measured = 0;                // the squared distance within which all of these are
+  float m_x = 0;                       // first coordinate of the place from which they are measured
   std::array<std::vector<float>, 3> m_offsets;
   std::vector<float> m_squared;
-  std::vector<Index> m_samples;
-  std::vector<Found_sample> m_picked;
+  Positions m_picked;
+  std::vector<Index> m_samples, m_unsorted;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

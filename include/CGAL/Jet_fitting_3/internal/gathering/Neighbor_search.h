@@ -11,7 +11,6 @@
 
 #include <CGAL/Jet_fitting_3/internal/gathering/Nearest_selection.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighbor_candidates.h>
-#include <CGAL/Jet_fitting_3/internal/gathering/Row_order.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_tree.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
@@ -20,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -40,9 +40,9 @@ struct Accept_all
 
 /// Finds the neighbors of samples of a set, batch by batch: one traversal gathers all that may be near one of them.
 ///
-/// A row is the seed and its neighbors, in an order that depends on their places only; accepts(seed)(sample) tells which
-/// may be one. The seed is no_index for a place that is no sample, whose rows have no seed. So rows depend neither on the
-/// batches nor on points that are not in them. Each thread has its own search.
+/// A row is the seed and its neighbors, in the order of their coordinates; accepts(seed)(sample) tells which may be one.
+/// The seed is no_index for a place that is no sample, whose rows have no seed. So rows depend neither on the batches
+/// nor on points that are not in them. Each thread has its own search.
 template <class Number>
 class Neighbor_search
 {
@@ -58,10 +58,11 @@ class Neighbor_search
     Index near;   // a sample nearby, where the search begins
   };
 
+  static constexpr std::size_t seeds_of_batch = 64;                         // or more where rows are long
   static constexpr std::size_t most_points_of_batch = std::size_t(1) << 18; // of its rows, if it is more than a leaf
 
 public:
-  explicit Neighbor_search(const Tree& tree) : m_tree(tree), m_candidates(tree), m_selection(tree), m_order(tree) {}
+  explicit Neighbor_search(const Tree& tree) : m_tree(tree), m_candidates(tree), m_selection(tree) {}
 
   /// Appends a row for each of the samples first, ..., up to `last` or the end of the batch, which is returned: the k
   /// nearest of those that are accepted among the 8k nearest, of either side: it takes eight sheets on top of each other
@@ -71,7 +72,7 @@ public:
   {
     k = (std::min)(k, m_tree.size());
     const std::size_t size = (std::min)(k / 2, most_points_of_batch / (k + 1));
-    const Index end = set_batch(first, last, (std::max)(Tree::leaf_size, size));
+    const Index end = set_batch(first, last, (std::max)(seeds_of_batch, size));
     nearest_of_seeds(k, accepts, rows);
     return end;
   }
@@ -88,7 +89,8 @@ public:
   template <class Accepts, class Rows>
   Index within_radius(Index first, Index last, Wide radius, const Accepts& accepts, Rows& rows)
   {
-    const Index end = set_batch(first, last, Tree::leaf_size);
+    const std::size_t size = (std::min)(seeds_of_batch, most_points_of_batch / (m_neighbors.size() + 1));
+    const Index end = set_batch(first, last, (std::max)(Tree::leaf_size, size));
     balls_of_seeds((std::min)(radius, largest()), accepts, rows);
     return end;
   }
@@ -157,25 +159,43 @@ private:
     float squared = m_candidates.radius() * m_candidates.radius() / 2;
     for (const std::size_t i : seeds) {
       const Seed& seed = m_seeds[i];
-      m_candidates.measure(seed.place);
-      if (!m_candidates.find_radius(sought, squared)) {
+      if (!find_radius(seed.place, sought, squared)) {
         m_too_far.push_back(i);
         continue;
       }
       m_candidates.pick(squared, m_found);
-      m_selection.keep_nearest(seed.place, sought, m_found);
-      const std::size_t begin = m_neighbors.size();
-      const auto accepts_sample = accepts(seed.sample);
-      const auto is_out = [&](const Found_sample& f) { return f.sample == seed.sample || !accepts_sample(f.sample); };
-      m_found.erase(std::remove_if(m_found.begin(), m_found.end(), is_out), m_found.end());
+      m_selection.keep_nearest(seed.place, 8 * k + 1, m_candidates, m_found);
+      remove_unaccepted(seed.sample, accepts(seed.sample));
       if (m_found.size() < k && !is_last) {
         m_with_more.push_back(i);
         continue;
       }
-      m_selection.keep_nearest(seed.place, k, m_found);
-      for (const Found_sample& f : m_found) m_neighbors.push_back(f.sample);
+      m_selection.keep_nearest(seed.place, k, m_candidates, m_found);
+      const std::size_t begin = m_neighbors.size();
+      for (const std::uint32_t position : m_found) m_neighbors.push_back(m_candidates.sample(position));
       m_rows[i] = {begin, m_neighbors.size()};
     }
+  }
+
+  /// Looks about as far as the radius of the seed before.
+  bool find_radius(const Place& place, std::size_t sought, float& squared)
+  {
+    m_candidates.measure(place, 1.5f * squared);
+    if (m_candidates.find_radius(sought, squared)) return true;
+    m_candidates.measure(place);
+    return m_candidates.find_radius(sought, squared);
+  }
+
+  template <class Accepts_sample>
+  void remove_unaccepted(Index seed, const Accepts_sample& accepts)
+  {
+    std::size_t left = 0;
+    for (const std::uint32_t position : m_found) {
+      const Index sample = m_candidates.sample(position);
+      m_found[left] = position;
+      left += std::size_t(sample != seed && accepts(sample));
+    }
+    m_found.resize(left);
   }
 
   template <class Accepts, class Rows>
@@ -185,26 +205,28 @@ private:
     for (std::size_t i = 0; i < m_pending.size(); ++i) m_pending[i] = i;
     m_candidates.gather(box_of(m_pending), radius);
     const Wide unit = 1 / numeric::power_of_two_above(radius);
-    const float inside = narrowed(m_candidates.radius() * m_candidates.radius());
+    const float squared = m_candidates.radius() * m_candidates.radius(), inside = narrowed(squared);
     for (const Seed& seed : m_seeds) {
-      m_candidates.measure(seed.place);
-      m_candidates.pick(m_candidates.radius() * m_candidates.radius(), m_found);
-      m_neighbors.clear();
+      m_candidates.measure(seed.place, squared);
+      m_candidates.pick(squared, m_found);
+      m_neighbors.resize(m_found.size());
+      std::size_t count = 0;
       const auto accepts_sample = accepts(seed.sample);
-      for (const Found_sample& f : m_found)
-        if (f.sample != seed.sample &&
-            (f.squared < inside ||
-             m_selection.squared(seed.place, f.sample, unit) <= (radius * unit) * (radius * unit)) &&
-            accepts_sample(f.sample))
-          m_neighbors.push_back(f.sample);
+      for (const std::uint32_t position : m_found) {
+        const Index sample = m_candidates.sample(position);
+        m_neighbors[count] = sample;
+        const bool is_within = m_candidates.squared(position) < inside ||
+                               m_selection.squared(seed.place, sample, unit) <= (radius * unit) * (radius * unit);
+        count += std::size_t(is_within && sample != seed.sample && accepts_sample(sample));
+      }
+      m_neighbors.resize(count);
       append_row(rows, seed, m_neighbors.data(), m_neighbors.data() + m_neighbors.size());
     }
   }
 
   template <class Rows>
-  void append_row(Rows& rows, const Seed& seed, Index* begin, Index* end)
+  static void append_row(Rows& rows, const Seed& seed, const Index* begin, const Index* end)
   {
-    m_order.sort(seed.place, begin, end);
     rows.add_row([&](std::vector<Index>& row) {
       if (seed.sample != no_index) row.push_back(seed.sample);
       row.insert(row.end(), begin, end);
@@ -252,8 +274,7 @@ private:
   const Tree& m_tree;
   Neighbor_candidates<Number> m_candidates;
   Nearest_selection<Number> m_selection;
-  Row_order<Number> m_order;
-  std::vector<Found_sample> m_found;
+  typename Neighbor_candidates<Number>::Positions m_found;
   std::vector<Seed> m_seeds;
   std::vector<std::size_t> m_pending, m_with_more, m_too_far, m_alone;
   std::vector<std::pair<std::size_t, std::size_t>> m_rows;

@@ -70,6 +70,11 @@ public:
 
   bool is_known(Index i) const { return (m_normals[i].x | m_normals[i].y | m_normals[i].z) != 0; }
 
+  bool all_are_unknown() const
+  {
+    return std::none_of(m_normals.begin(), m_normals.end(), [](const Packed& n) { return (n.x | n.y | n.z) != 0; });
+  }
+
   /// The normals order[0], order[1], ...
   Normal_table reordered(const std::vector<Index>& order) const
   {

@@ -51,6 +51,7 @@ public:
       m_tree.renumber(representatives);
     }
     m_normals = normals.reordered(m_tree.numbers());
+    m_takes_all = m_next_at_place.empty() && m_normals.all_are_unknown();
   }
 
   const Tree& tree() const { return m_tree; }
@@ -68,6 +69,7 @@ public:
 
     bool operator()(Index sample) const
     {
+      if (m_set.m_takes_all) return true;
       if (!m_is_on_side(sample)) return false;
       if (m_set.m_next_at_place.empty()) return true;
       for (Index other = m_set.m_next_at_place[sample]; other != sample; other = m_set.m_next_at_place[other])
@@ -135,6 +137,7 @@ private:
 
   Tree m_tree;
   Normal_table m_normals; // of the samples
+  bool m_takes_all;       // any sample as a neighbor of any other
   std::vector<Copy> m_copies;
   std::vector<std::pair<Index, Index>> m_shared; // two samples at one place, while they are merged
   std::vector<Index> m_next_at_place;            // cyclic; empty where no two samples are at one place
