@@ -117,9 +117,11 @@ public:
       return estimate_rows<ConcurrencyTag>(wanted, make_gatherer, std::ref(ordered), progress);
     } else {
       const auto rows = rows_of(wanted, sample_of);
-      Sample_forms<Kernel> forms(rows.size());
-      Estimation_reports reports = estimate_rows<ConcurrencyTag>(rows, make_gatherer, std::ref(forms), progress);
-      return forms.distribute(wanted, rows, m_tables.samples, sample_of, m_read.normals, std::move(reports), output);
+      const bool has_qualities =
+          std::visit([](const auto& estimator) { return estimator.reports_quality(); }, m_estimator);
+      Sample_forms<Kernel, Wanted> forms(wanted, rows, m_tables.samples, sample_of, m_read.normals, has_qualities);
+      const Estimation_reports of_rows = estimate_rows<ConcurrencyTag>(rows, make_gatherer, std::ref(forms), progress);
+      return forms.write(of_rows.cancelled, output);
     }
   }
 

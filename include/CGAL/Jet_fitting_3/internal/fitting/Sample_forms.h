@@ -9,15 +9,16 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/internal/fitting/Kept_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
+#include <CGAL/Jet_fitting_3/internal/machine/prefetch.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,52 +49,150 @@ std::vector<double> weights_of_samples(const Sample_set<Number>& samples, const 
   return result;
 }
 
-/// The forms of samples.
-template <class Kernel>
-class Sample_forms : public Kept_forms<Kernel>
+/// Which places in the output are for each row: points at one place share a row.
+class Outputs_of_rows
 {
 public:
-  using Kept_forms<Kernel>::Kept_forms;
+  /// One for each row; refers to the table.
+  explicit Outputs_of_rows(const std::vector<Index>& output_of_row) : m_outputs(output_of_row.data()) {}
 
-  /// Gives its form to each point that is wanted, in order, up to the first that was not reached: points at one place
-  /// have the same, each on the side of its normal.
-  /// \param wanted points, All_rows or Some_rows
-  /// \param rows of samples that were estimated
-  /// \param sample_of each point
-  /// \return the reports of the points
-  template <class Wanted, class Rows, class Number, class OutputIterator>
-  Estimation_reports distribute(const Wanted& wanted, const Rows& rows, const Sample_set<Number>& samples,
-                                const std::vector<Index>& sample_of, const Normal_table& normals_of_points,
-                                Estimation_reports&& of_rows, OutputIterator output)
+  /// \param row_of_output has no_index where there is none
+  Outputs_of_rows(const std::vector<Index>& row_of_output, std::size_t number_of_rows)
+    : m_ends(number_of_rows + 2), m_sorted(row_of_output.size()), m_outputs(m_sorted.data())
   {
-    Estimation_reports reports{std::vector<Estimation_status>(wanted.size()),
-                               std::vector<Fit_quality>(of_rows.qualities.empty() ? 0 : wanted.size()),
-                               of_rows.cancelled};
-    const bool is_used_once = std::is_same<Wanted, All_rows>::value && samples.copies().empty();
-    for (std::size_t w = 0; w < wanted.size(); ++w) {
-      const Index i = wanted[w], s = sample_of[i];
-      Estimated_form<Kernel> result = s == no_index ? of_bad_point() : of_row(rows.row_of(s), of_rows, is_used_once);
-      if (result.status.is_unknown()) break;
-      if (s != no_index && samples.tree().number(s) != i && result.status.is_estimated())
-        orient(result, normals_of_points[i]);
-      reports.statuses[w] = result.status;
-      if (!result.quality.empty()) reports.qualities[w] = std::move(result.quality.front());
-      *output++ = std::move(result.form);
+    for (const Index row : row_of_output)
+      if (row != no_index) ++m_ends[row + std::size_t(2)];
+    std::partial_sum(m_ends.begin(), m_ends.end(), m_ends.begin());
+    for (Index i = 0; i < row_of_output.size(); ++i)
+      if (row_of_output[i] != no_index) m_sorted[m_ends[row_of_output[i] + std::size_t(1)]++] = i;
+  }
+
+  Outputs_of_rows(const Outputs_of_rows&) = delete;
+  Outputs_of_rows& operator=(const Outputs_of_rows&) = delete;
+
+  const Index* begin(std::size_t row) const { return m_outputs + (m_ends.empty() ? row : m_ends[row]); }
+  const Index* end(std::size_t row) const { return m_outputs + (m_ends.empty() ? row + 1 : m_ends[row + 1]); }
+
+private:
+  std::vector<std::size_t> m_ends;
+  std::vector<Index> m_sorted;
+  const Index* m_outputs;
+};
+
+/// Forms in the order of the output, in pieces: each is given up once it is written, so that there are hardly more forms
+/// at a time than the output has in the end.
+template <class Kernel>
+class Forms_in_pieces
+{
+  static constexpr std::size_t piece_size = 4096;
+
+public:
+  explicit Forms_in_pieces(std::size_t size) : m_pieces((size + piece_size - 1) / piece_size)
+  {
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) m_pieces[i].resize((std::min)(piece_size, size - i * piece_size));
+  }
+
+  Monge_form<Kernel>& operator[](std::size_t i) { return m_pieces[i / piece_size][i % piece_size]; }
+
+  void prefetch(std::size_t i)
+  {
+    const char* const begin = reinterpret_cast<const char*>(&(*this)[i]);
+    const std::size_t cache_line = 64;
+    for (std::size_t j = 0; j < sizeof(Monge_form<Kernel>); j += cache_line) internal::prefetch(begin + j);
+  }
+
+  /// Afterwards there are none. \param count how many are written
+  template <class OutputIterator>
+  void write(std::size_t count, OutputIterator output)
+  {
+    for (std::vector<Monge_form<Kernel>>& piece : m_pieces) {
+      const std::size_t here = (std::min)(count, piece.size());
+      for (std::size_t i = 0; i < here; ++i) *output++ = std::move(piece[i]);
+      std::vector<Monge_form<Kernel>>().swap(piece);
+      count -= here;
     }
-    return reports;
   }
 
 private:
-  static Estimated_form<Kernel> of_bad_point() { return {{}, Status_flag::not_finite, {}}; }
+  std::vector<std::vector<Monge_form<Kernel>>> m_pieces;
+};
 
-  Estimated_form<Kernel> of_row(std::size_t row, const Estimation_reports& reports, bool is_last_use)
+/// Takes the forms of samples, as they come, for the points at their places, each on the side of its normal.
+/// \tparam Wanted the numbers of the points, in the order of the output: All_rows or Some_rows
+template <class Kernel, class Wanted>
+class Sample_forms
+{
+public:
+  /// All is kept by reference.
+  /// \param seeds of the rows: the number of a sample for each
+  template <class Rows, class Number>
+  Sample_forms(const Wanted& wanted, const Rows& seeds, const Sample_set<Number>& samples,
+               const std::vector<Index>& sample_of, const Normal_table& normals_of_points, bool has_qualities)
+    : m_wanted(wanted), m_outputs(outputs_of_rows(wanted, seeds, samples, sample_of)), m_normals(normals_of_points),
+      m_places_are_shared(!samples.copies().empty()),
+      m_forms(wanted.size()), m_reports{std::vector<Estimation_status>(wanted.size()),
+                                        std::vector<Fit_quality>(has_qualities ? wanted.size() : 0), false}
   {
-    Estimated_form<Kernel> result{is_last_use ? std::move(m_forms[row]) : m_forms[row], reports.statuses[row], {}};
-    if (!reports.qualities.empty()) result.quality.push_back(reports.qualities[row]);
-    return result;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (sample_of[wanted[i]] == no_index) m_reports.statuses[i] = Status_flag::not_finite;
   }
 
-  using Kept_forms<Kernel>::m_forms;
+  template <class Report>
+  void operator()(const Estimated_block<Kernel>& block, const Report& report)
+  {
+    const std::size_t ahead = 8, size = block.results.size(); // prefetch distance
+    for (std::size_t i = 0; i < size; ++i) {
+      if (i + ahead < size) m_forms.prefetch(*m_outputs.begin(block.first + i + ahead));
+      const Index *const begin = m_outputs.begin(block.first + i), *const end = m_outputs.end(block.first + i);
+      for (const Index* output = begin; output != end; ++output) set(*output, block.results[i]);
+    }
+    report(block);
+  }
+
+  /// Writes the forms up to the first that was not reached.
+  /// \return the reports of the points
+  template <class OutputIterator>
+  Estimation_reports write(bool is_cancelled, OutputIterator output)
+  {
+    const auto is_unknown = [](Estimation_status s) { return s.is_unknown(); };
+    const auto begin = m_reports.statuses.begin(), end = m_reports.statuses.end(),
+               unknown = std::find_if(begin, end, is_unknown);
+    std::fill(unknown, end, Estimation_status());
+    m_forms.write(std::size_t(unknown - begin), output);
+    m_reports.cancelled = is_cancelled;
+    return std::move(m_reports);
+  }
+
+private:
+  template <class Rows, class Number>
+  static Outputs_of_rows outputs_of_rows(const Wanted& wanted, const Rows& seeds, const Sample_set<Number>& samples,
+                                         const std::vector<Index>& sample_of)
+  {
+    const bool has_all = std::is_same<Wanted, All_rows>::value;
+    if (has_all && samples.copies().empty()) return Outputs_of_rows(samples.tree().numbers());
+    std::vector<Index> row_of_output(wanted.size(), Index(no_index));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (sample_of[wanted[i]] != no_index) row_of_output[i] = static_cast<Index>(seeds.row_of(sample_of[wanted[i]]));
+    return Outputs_of_rows(row_of_output, seeds.size());
+  }
+
+  /// The form is on the side of one of the points; where there are others it is turned.
+  void set(Index output, const Estimated_form<Kernel>& result)
+  {
+    m_forms[output] = result.form;
+    m_reports.statuses[output] = result.status;
+    if (!result.quality.empty()) m_reports.qualities[output] = result.quality.front();
+    if (!m_places_are_shared || !result.status.is_estimated()) return;
+    const bool is_turned = turn_to(m_forms[output], m_normals[m_wanted[output]]);
+    if (is_turned && !result.quality.empty()) m_reports.qualities[output].standard_errors.turn();
+  }
+
+  const Wanted& m_wanted;
+  const Outputs_of_rows m_outputs;
+  const Normal_table& m_normals;
+  bool m_places_are_shared;
+  Forms_in_pieces<Kernel> m_forms;
+  Estimation_reports m_reports;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
