@@ -118,6 +118,38 @@ void on_faces()
            std::pow(2, 2.7), "ellipsoid: the order of convergence");
 }
 
+// With noise, by automatic(): as right as at the vertices.
+void on_faces_by_automatic()
+{
+  const Analytic_mesh surface = torus(3, 1, 90, 60);
+  Mesh mesh;
+  build(surface, mesh);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.003);
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point_3 p = mesh.point(v);
+    const Point n = surface.truth(Point(p.x(), p.y(), p.z())).normal;
+    mesh.point(v) = p + noise(random) * Kernel::Vector_3(n.x, n.y, n.z);
+  }
+  Vertex_estimator estimate(mesh, automatic(), CGAL::parameters::degree_monge(2));
+  const std::vector<Location> locations = some_locations(mesh, 300);
+  double on_faces = 0, at_vertices = 0;
+  for (const Location& location : locations) {
+    const Form form = estimate(location).form;
+    if (!check_equal(form.coefficients().size(), std::size_t(2), "automatic() on a face")) continue;
+    on_faces += std::pow(error_of(form, surface), 2);
+    at_vertices += std::pow(error_of(estimate(source(halfedge(location.first, mesh), mesh)).form, surface), 2);
+    check_le(slip(form, on_face(mesh, location)), 1e-12, "automatic(): the origin is a foot");
+  }
+  const double n = double(locations.size());
+  std::cout << "automatic(): " << std::sqrt(on_faces / n) << " on faces, " << std::sqrt(at_vertices / n)
+            << " at vertices\n";
+  check_le(on_faces, 1.5 * at_vertices, "automatic() on faces, and at vertices");
+  const Mesh::Face_index face(5);
+  check_equal(estimate(Location{face, {0.5, NAN, 0.5}}).status, Status_flag::not_finite, "automatic() at NaN");
+  check_equal(estimate(Location{face, {-999, 500, 500}}).status, Status_flag::beside_samples, "automatic() far away");
+}
+
 void what_is_no_location()
 {
   Mesh mesh;
@@ -196,6 +228,45 @@ void near_points()
   order(ellipsoid(3, 2, 1.5, 1), Point(3, 2, 1.5));
 }
 
+// With noise, by automatic(): as right as at the points, also where the curvatures change from one to the next.
+void near_points_by_automatic()
+{
+  const Point axes(3, 2, 1.5);
+  const Analytic_mesh surface = ellipsoid(axes.x, axes.y, axes.z, 1);
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.002);
+  std::vector<Point_3> points;
+  for (const Point_3& v : directions(6000, 1)) {
+    const Point foot(axes.x * v.x(), axes.y * v.y(), axes.z * v.z()),
+        p = foot + noise(random) * surface.truth(foot).normal;
+    points.emplace_back(p.x, p.y, p.z);
+  }
+  Point_estimator estimate(points, automatic(), CGAL::parameters::degree_monge(2));
+  double at_points = 0, between = 0;
+  const std::vector<Point_3> somewhere = directions(200, 7);
+  for (std::size_t i = 0; i < somewhere.size(); ++i) {
+    const Point_3& v = somewhere[i];
+    const Point foot(axes.x * v.x(), axes.y * v.y(), axes.z * v.z()), normal = surface.truth(foot).normal,
+                                                                      q = foot + 0.1 * v.y() * normal;
+    for (const bool is_point : {true, false}) {
+      auto [form, status, quality] = is_point ? estimate(i) : estimate(Point_3(q.x, q.y, q.z));
+      if (!check_true(status.is_estimated(), "automatic() near points")) continue;
+      check_equal(form.coefficients().size(), std::size_t(2), "degree of the form");
+      const Point at = is_point ? Point(points[i].x(), points[i].y(), points[i].z()) : foot,
+                  n = surface.truth(at).normal;
+      form.comply_wrt_given_normal(Kernel::Vector_3(n.x, n.y, n.z));
+      double& sum = is_point ? at_points : between;
+      sum += std::pow(error_of(form, surface), 2);
+      if (!is_point) check_le(slip(form, Point_3(q.x, q.y, q.z)), 1e-12, "automatic(): the origin is a foot");
+    }
+  }
+  const double n = double(somewhere.size());
+  std::cout << "automatic(): " << std::sqrt(at_points / n) << " at points, " << std::sqrt(between / n) << " between\n";
+  check_le(between, 1.5 * at_points, "automatic() between points, and at points");
+  const auto none = estimate(Point_3(NAN, 0, 0));
+  check_equal(none.status, Status_flag::not_finite, "automatic() at NaN");
+}
+
 void far_and_beside()
 {
   std::vector<Point_3> points;
@@ -271,8 +342,10 @@ void exact_numbers()
 int main()
 {
   on_faces();
+  on_faces_by_automatic();
   what_is_no_location();
   near_points();
+  near_points_by_automatic();
   far_and_beside();
   two_sheets();
   points_at_one_place();

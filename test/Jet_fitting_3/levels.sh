@@ -24,6 +24,10 @@ if [ $# -gt 0 ] && grep -qs '^flags.* avx2 .* bmi2 ' /proc/cpuinfo; then
   grep -q '^level 3, another copy' "$work/3" || fail "level 3 is not taken"
 fi
 
+if [ $# -gt 1 ] && grep -qs '^flags.* avx512f .* avx512vl ' /proc/cpuinfo; then
+  grep -q '^level 4, another copy' "$work/4" || fail "level 4 is not taken"
+fi
+
 # Names of a level belong to it alone; what initializes it is not run at the start of the program.
 for object in "$@"; do
   nm --defined-only --extern-only "$object" | grep -v '_level_[34]' && fail "$object: others may take these"

@@ -15,6 +15,7 @@
 #include <CGAL/estimate_side_monge_forms.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -177,6 +178,42 @@ void cylinder()
   check_cylinder(sides, 0.05, "automatic");
 }
 
+// Places on faces at a rim: caps are flat, the lateral surface is not. At the corner the form is that of the side.
+void places_on_faces()
+{
+  Sides_of_mesh sides(closed_cylinder(true));
+  sides.estimate(k_rings(4), 3);
+  const Mesh& mesh = sides.mesh;
+  Vertex_estimator estimate(mesh, k_rings(4),
+                            CGAL::parameters::degree_fitting(3).degree_monge(2).edge_is_constrained_map(
+                                sides.is_sharp));
+  std::size_t on_caps = 0, on_wall = 0;
+  for (Halfedge into : mesh.halfedges()) {
+    const Point& p = mesh.point(mesh.target(into));
+    if (std::abs(p.z()) < 1 || p.x() * p.x() + p.y() * p.y() < radius * radius - 1e-6) continue; // not at a rim
+    const Mesh::Face_index face = mesh.face(into);
+    const std::array<Halfedge, 3> into_corners{mesh.prev(mesh.halfedge(face)), mesh.halfedge(face),
+                                               mesh.next(mesh.halfedge(face))};
+    std::array<double, 3> weights, corner;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = into_corners[i] == into ? 1 : 0;
+      weights[i] = into_corners[i] == into ? 0.8 : 0.1;
+    }
+    const bool is_cap = std::abs(normal(mesh, face).z()) > 0.5;
+    const std::string where =
+        std::string(is_cap ? "a place on a cap" : "a place on the wall") + ", vertex " + text(into);
+    const Form form = estimate({face, weights}).form;
+    check_near(form.principal_curvatures(1), is_cap ? 0 : -1 / radius, is_cap ? 1e-10 : 0.6 * 0.6 / 8, where + ": k2");
+    check_ge(form.normal_direction() * normal(mesh, face), 0.99, where + ": normal");
+    const Form at_corner = estimate({face, corner}).form, &of_side = sides.forms[sides.side[into]];
+    for (std::size_t i = 0; i < 2; ++i)
+      check_near(at_corner.principal_curvatures(i), of_side.principal_curvatures(i), 1e-3, where + ": at the corner");
+    ++(is_cap ? on_caps : on_wall);
+  }
+  check_equal(on_caps, 6 * vertices_of_rim, "corners of caps");
+  check_equal(on_wall, 6 * vertices_of_rim, "corners of the wall");
+}
+
 // A disc without vertices: the vertices around it lie on a circle, which determines no jet of degree 2.
 void statuses()
 {
@@ -228,6 +265,7 @@ void knife()
 int main()
 {
   cylinder();
+  places_on_faces();
   statuses();
   knife();
   return result();

@@ -82,7 +82,8 @@ public:
 
   /// At the foot of a place near the points: the jet is fitted to those in the neighborhood of the place, on the side
   /// of the nearest one, and the result is its form at its point closest to the place. With nearest(k) these are the k
-  /// nearest. The origin of the form lies on the jet. At a place that is one of the points it differs from the form of
+  /// nearest; with automatic() the jet is that of the nearest point, with the radii and degrees chosen there, and of one
+  /// degree more than the form. The origin of the form lies on the jet. At a place that is one of the points it differs from the form of
   /// the point by no more than the residual of the fit lets the feet differ.
   ///
   /// The status is that of the fit, or Status_flag::beside_samples if no point of the jet over the samples is closest
@@ -190,9 +191,12 @@ private:
 
   void gather_around(const Point_3& place, Place_gatherer& gatherer, std::vector<internal::Index>& found) const
   {
-    static_assert(!Estimation::is_automatic && !Estimation::is_users,
-                  "At places that are no points the neighborhood must be nearest() or within_radius()");
-    if (estimation().tables().size() > 0) m_prepared->neighborhood(gatherer, estimation().tables().place(place), found);
+    static_assert(!Estimation::is_users,
+                  "At places that are no points the neighborhood must be nearest(), within_radius() or automatic()");
+    if (estimation().tables().size() == 0) return;
+    const auto at = estimation().tables().place(place);
+    if constexpr (Estimation::is_automatic) gatherer.nearest(at, 1, found);
+    else m_prepared->neighborhood(gatherer, at, found);
   }
 
   std::shared_ptr<const Prepared> m_prepared;

@@ -98,7 +98,9 @@ public:
   /// At the foot of a place on a face: the jet is fitted to the neighborhood of the corner that is nearest, and the
   /// result is its form at its point closest to the place. So it has a form of the same accuracy as at a vertex, and
   /// the origin of the form lies on the jet, not on the face. Where that corner is on a constrained edge, its
-  /// neighborhood is on the side with the widest angle, which may be that of other faces.
+  /// neighborhood is on the side of the face, as in estimate_side_monge_forms(), but for one of the user's own.
+  /// With automatic() the jet is the one that is chosen for the corner, of one degree more than the form, unless
+  /// `degree_fitting` is less.
   ///
   /// The status is that of the fit, or Status_flag::beside_samples if no point of the jet over the samples is closest
   /// to the place; Status_flag::not_finite if a barycentric coordinate is not finite.
@@ -144,12 +146,13 @@ private:
   {
     template <class ConcurrencyTag>
     Prepared(ConcurrencyTag tag, const Mesh& m, const Neighborhood& n, const NamedParameters& np, const Options& o)
-      : mesh(m), neighborhood(n), estimation(tag, mesh, neighborhood, np, o)
+      : mesh(m), neighborhood(n), estimation(tag, mesh, neighborhood, np, o, true), sharp_corners(estimation.tables())
     {}
 
     const Mesh& mesh;
     Neighborhood neighborhood;
     Estimation estimation;
+    internal::Sharp_corners<typename Estimation::Tables> sharp_corners;
   };
 
   const typename Estimation::Tables& tables() const { return m_prepared->estimation.tables(); }
@@ -187,7 +190,6 @@ private:
   template <class Iterator>
   Rows_at_places rows_at(Iterator begin, Iterator end) const
   {
-    static_assert(!Estimation::is_automatic, "automatic() estimates at vertices only");
     internal::check_options_for_places(m_prepared->estimation.options());
     std::vector<Point_3> places;
     std::vector<internal::Index> seeds;
@@ -198,7 +200,9 @@ private:
       const auto& points = tables().points;
       const std::array<Point_3, 3> triangle{points[numbers[0]], points[numbers[1]], points[numbers[2]]};
       places.push_back(internal::place_in_triangle<Kernel>(triangle, location.second));
-      seeds.push_back(numbers[internal::nearest_corner(triangle, places.back())]);
+      const std::size_t nearest = internal::nearest_corner(triangle, places.back());
+      const auto h = internal::halfedge_into_corner(location.first, nearest, m_prepared->mesh);
+      seeds.push_back(m_prepared->sharp_corners.node(numbers[nearest], h));
     }
     return Rows_at_places(std::move(places), std::move(seeds));
   }

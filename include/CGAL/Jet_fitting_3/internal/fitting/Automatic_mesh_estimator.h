@@ -101,10 +101,14 @@ public:
 
   Walker walker() const { return Walker(m_surface); }
 
+  /// Of no neighborhood it is exceeded, but for orders above 2. In units.
+  double largest_radius() const { return averaging::largest_radius * m_unit; }
+
+  /// \param order at most that which is learned
   template <class Solver>
-  Result estimate(Walker& walker, Index i, Solver& solver) const
+  Result estimate(Walker& walker, Index i, std::size_t order, Solver& solver) const
   {
-    Result result{m_choice.estimate(walker, i), Jet<double>((std::max)(m_degrees.order, std::size_t(2)))};
+    Result result{m_choice.estimate(walker, i), Jet<double>((std::max)(order, std::size_t(2)))};
     const averaging::Second_order_estimate& second = result.second;
     if (!second.exists) return result;
     result.jet(1, 0) = second.x;
@@ -112,15 +116,14 @@ public:
     result.jet(2, 0) = second.xx;
     result.jet(1, 1) = second.xy;
     result.jet(0, 2) = second.yy;
-    for (std::size_t k = 0; k < m_higher.size(); ++k) {
+    for (std::size_t k = 0; k < m_higher.size() && k + 3 <= order; ++k) {
       const averaging::Order_estimate higher = m_higher[k].estimate(walker, i, second.frame);
       if (!higher.exists()) return result;
       std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
       if (k == 0) result.third_order_risk = higher.variance + higher.squared_bias;
     }
-    result.exists =
-        m_degrees.order <= 4 || averaging::add_higher_orders(m_surface, walker, i, second.frame,
-                                                             averaging::largest_radius * m_unit, solver, result.jet);
+    result.exists = order <= 4 || averaging::add_higher_orders(m_surface, walker, i, second.frame, largest_radius(),
+                                                               solver, result.jet);
     return result;
   }
 
@@ -185,20 +188,25 @@ class Automatic_mesh_estimator
 
 public:
   /// \throw Invalid_input if the mesh is too small, or options are set that have no use here
+  /// \param for_places more is learned, which forms at places that are no vertices need
   template <class ConcurrencyTag, class Tables>
   Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Automatic_degrees& degrees,
-                           const Options& options)
-    : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order)
+                           const Options& options, bool for_places)
+    : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order),
+      m_order_at_places((std::min)((std::max)(degrees.order, std::size_t(2)) + 1, degrees.highest))
   {
     check_options_for_automatic(options);
     if (options.use_normals) throw Invalid_input("automatic() on a mesh takes no normals as data yet");
     if (degrees.highest < 2) throw Invalid_input("automatic() needs a degree_fitting of 2 or more: got 1");
-    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, degrees, options);
+    const std::size_t learned = for_places ? (std::max)(m_order_at_places, degrees.order) : degrees.order;
+    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables,
+                                                                Automatic_degrees{learned, degrees.highest}, options);
     m_walker = std::make_shared<Walker>(m_learned->walker());
   }
 
   Automatic_mesh_estimator(const Automatic_mesh_estimator& other)
-    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_dprime(other.m_dprime), m_learned(other.m_learned),
+    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_dprime(other.m_dprime),
+      m_order_at_places(other.m_order_at_places), m_learned(other.m_learned),
       m_walker(std::make_shared<Walker>(m_learned->walker()))
   {}
 
@@ -206,16 +214,26 @@ public:
   static constexpr std::size_t rows_at_a_time() { return 1; }
 
   /// Storage of `results` is used again.
-  void operator()(const Neighborhood_block& block, std::vector<Result>& results)
+  /// \param place_of(row) is the place at whose foot on the surface the form is wanted: that of the jet at the vertex,
+  ///        with the next order, in which curvatures change on the way
+  template <class Place_of = At_samples>
+  void operator()(const Neighborhood_block& block, std::vector<Result>& results, const Place_of& place_of = {})
   {
     results.resize(block.size());
-    for (std::size_t row = 0; row < block.size(); ++row) estimate(block[row][0], results[row]);
+    for (std::size_t row = 0; row < block.size(); ++row) {
+      if constexpr (std::is_same<Place_of, At_samples>::value) {
+        estimate(block[row][0], m_dprime, results[row]);
+      } else {
+        estimate(block[row][0], (std::max)(m_order_at_places, m_dprime), results[row]);
+        move_to_foot(results[row], place_of(row), m_learned->largest_radius() / m_points.per_length(), m_dprime);
+      }
+    }
   }
 
 private:
   using Walker = typename Learned_surface<Kernel>::Walker;
 
-  void estimate(Index node, Result& result)
+  void estimate(Index node, std::size_t dprime, Result& result)
   {
     const Index i = m_adjacency.vertex(node);
     result = {};
@@ -223,7 +241,7 @@ private:
       result.status = Status_flag::not_finite;
       return;
     }
-    const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, m_solver);
+    const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, dprime, m_solver);
     if (!chosen.exists) {
       result.status = Status_flag::too_few_points;
       return;
@@ -231,7 +249,7 @@ private:
     Local_estimate<double> e{};
     e.fitting.axes = chosen.second.frame.axes;
     e.fit.jet = chosen.jet;
-    set_monge_form(e, m_dprime);
+    set_monge_form(e, dprime);
     Chosen_scale scale;
     scale.bias = std::sqrt(chosen.second.squared_bias / 2);
     scale.standard_deviation = std::sqrt(chosen.second.variance / 2);
@@ -241,7 +259,7 @@ private:
 
   const Point_table<Kernel>& m_points;
   const Adjacency& m_adjacency;
-  std::size_t m_dprime;
+  std::size_t m_dprime, m_order_at_places;
   std::shared_ptr<const Learned_surface<Kernel>> m_learned;
   std::shared_ptr<Walker> m_walker;
   Orthogonal_solver<double> m_solver;

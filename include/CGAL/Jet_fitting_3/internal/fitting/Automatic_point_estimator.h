@@ -29,6 +29,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -144,22 +145,40 @@ public:
   static constexpr std::size_t rows_at_a_time() { return 1; }
 
   /// Storage of `results` is used again.
-  void operator()(const Neighborhood_block& block, std::vector<Result>& results)
+  /// \param place_of(row) is the place at whose foot on the surface the form is wanted: that of the jet at the sample,
+  ///        with the next order, in which curvatures change on the way
+  template <class Place_of = At_samples>
+  void operator()(const Neighborhood_block& block, std::vector<Result>& results, const Place_of& place_of = {})
   {
     results.resize(block.size());
-    for (std::size_t row = 0; row < block.size(); ++row) estimate(block[row][0], results[row]);
+    for (std::size_t row = 0; row < block.size(); ++row) {
+      if constexpr (std::is_same<Place_of, At_samples>::value) estimate(block[row][0], m_dprime, results[row]);
+      else estimate_at(place_of(row), block[row], results[row]);
+    }
   }
 
 private:
-  void estimate(Index i, Result& result)
+  using Point_3 = typename Kernel::Point_3;
+
+  void estimate_at(const Point_3& place, const Neighborhood_row& row, Result& result)
   {
-    const std::size_t order = (std::max)(m_dprime, std::size_t(2));
+    result = {};
+    result.status = Status_flag::not_finite;
+    if (row.size() == 0) return;
+    estimate(row[0], (std::max)(m_dprime, std::size_t(2)) + 1, result);
+    const double radius = result.quality.empty() ? 0 : result.quality.front().scale.radius;
+    move_to_foot(result, place, radius, m_dprime);
+  }
+
+  void estimate(Index i, std::size_t dprime, Result& result)
+  {
+    const std::size_t order = (std::max)(dprime, std::size_t(2));
     const scale::Estimate_at_scale chosen = m_learned->scale().estimate(i, order, m_solver, m_near);
     Local_estimate<double> e{};
     e.origin = chosen.origin;
     e.monge_axes = chosen.monge_axes;
     e.coefficients = chosen.coefficients;
-    e.coefficients.resize(number_of_monge_coefficients(m_dprime));
+    e.coefficients.resize(number_of_monge_coefficients(dprime));
     set_automatic_result(result, m_points, i, e, of_curvatures(chosen.choice), m_learned->per_length());
   }
 

@@ -46,14 +46,15 @@ public:
   using Estimator = std::conditional_t<is_automatic, std::variant<Automatic_mesh_estimator<Kernel>>,
                                        Row_estimators<Kernel, Parameters, has_normals>>;
 
+  /// \param for_places whether forms may be asked for at places that are no vertices, too
   template <class ConcurrencyTag>
   Mesh_estimation(ConcurrencyTag, const Mesh& mesh, const Neighborhood& neighborhood, const NamedParameters& np,
-                  const Options& options)
+                  const Options& options, bool for_places = false)
     : m_neighborhood(neighborhood), m_given(np, is_automatic),
       m_tables(mesh_tables<ConcurrencyTag>(mesh, np, {!is_users, !is_users})),
       m_options(options_by_number(mesh, np, options)),
       m_normals(!is_automatic && options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
-      m_estimator(make_estimator(ConcurrencyTag()))
+      m_estimator(make_estimator(ConcurrencyTag(), for_places))
   {}
 
   Mesh_estimation(const Mesh_estimation&) = delete;
@@ -94,12 +95,12 @@ private:
   }
 
   template <class ConcurrencyTag>
-  Estimator make_estimator(ConcurrencyTag tag) const
+  Estimator make_estimator(ConcurrencyTag tag, bool for_places) const
   {
     if constexpr (is_automatic) {
       const std::size_t highest =
           m_given.has_degree_fitting ? m_given.d : (std::max)(m_given.dprime, averaging::highest_degree);
-      return Automatic_mesh_estimator<Kernel>(tag, m_tables, {m_given.dprime, highest}, m_options);
+      return Automatic_mesh_estimator<Kernel>(tag, m_tables, {m_given.dprime, highest}, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);
   }
 

@@ -108,9 +108,11 @@ void estimate_gathered(Estimate& estimate, const Rows& rows, std::size_t first, 
     estimate(
         gathered, results, [&](std::size_t row) -> const auto& { return rows.place(first + row); });
   } else estimate(gathered, results);
-  for (std::size_t row = 0; row < gathered.size(); ++row)
-    if (results[row].status.is_estimated())
-      orient(results[row], tables.normals[at_places ? gathered[row][0] : rows[first + row]]);
+  for (std::size_t row = 0; row < gathered.size(); ++row) {
+    if (!results[row].status.is_estimated()) continue;
+    if constexpr (at_places) orient(results[row], tables.normals[rows.oriented_by(first + row, gathered[row][0])]);
+    else orient(results[row], tables.normals[rows[first + row]]);
+  }
 }
 
 /// Few rows are to keep many threads busy to the end, too, and rows that are estimated one by one, which takes long.

@@ -41,7 +41,15 @@ bool is_at_finite_distance(const Point& p, const Point& q)
   return numeric::is_finite(FT(difference(q.x(), p.x()) + difference(q.y(), p.y()) + difference(q.z(), p.z())));
 }
 
-/// The Monge form of a jet at the point of its graph that is closest to q; none if that is not over the samples.
+/// The Monge form of a surface at its point that is closest to q; none if that is not over its samples.
+template <class Surface, class Point>
+auto form_at_foot(const Surface& surface, const Point& q, std::size_t dprime)
+{
+  const auto foot = surface.closest_point(q);
+  return foot ? std::make_optional(surface.monge_form(foot->u, foot->v, dprime)) : std::nullopt;
+}
+
+/// The same for a fit.
 /// \param e the fit at p
 /// \param dprime degree of the form, at most that of the jet
 template <class DataKernel, class LocalKernel, class SvdTraits>
@@ -51,10 +59,7 @@ std::optional<Monge_form<DataKernel>> form_at_foot(const Local_estimate<typename
 {
   using Estimator = CGAL::Monge_via_jet_fitting<DataKernel, LocalKernel, SvdTraits>;
   if (!is_at_finite_distance<typename LocalKernel::FT>(p, q)) return std::nullopt;
-  const Jet_surface<Estimator> surface(typename Estimator::Estimate(p, Monge_form<DataKernel>(), e));
-  const auto foot = surface.closest_point(q);
-  if (!foot) return std::nullopt;
-  return surface.monge_form(foot->u, foot->v, dprime);
+  return form_at_foot(Jet_surface<Estimator>(typename Estimator::Estimate(p, Monge_form<DataKernel>(), e)), q, dprime);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -14,8 +14,15 @@
 #include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/assess.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/form_at_foot.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/surface/Jet_surface.h>
+#include <CGAL/Monge_via_jet_fitting.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -38,6 +45,26 @@ void set_automatic_result(Estimated_form<Kernel>& result, const Point_table<Kern
   quality.scale = {unit * scale.radius, scale.degree, scale.bias / unit, scale.standard_deviation / unit,
                    scale.third_order_error / (unit * unit)};
   result.quality.push_back(quality);
+}
+
+/// Replaces a form by that of its surface at the point closest to a place.
+/// \param radius in length: up to where the surface means something
+/// \param dprime of the new form, at most that of the old one
+template <class Kernel>
+void move_to_foot(Estimated_form<Kernel>& result, const typename Kernel::Point_3& place, double radius,
+                  std::size_t dprime)
+{
+  using Estimator = CGAL::Monge_via_jet_fitting<Kernel, Simple_cartesian<double>>;
+  if (!has_finite_coordinates(place)) result.status = Status_flag::not_finite;
+  if (!result.status.is_estimated()) {
+    result.form = {};
+    return;
+  }
+  std::optional<Monge_form<Kernel>> form;
+  if (is_at_finite_distance<double>(result.form.origin(), place))
+    form = form_at_foot(Jet_surface<Estimator>(result.form, typename Kernel::FT(radius)), place, dprime);
+  if (form) result.form = *form;
+  else result = {{}, Status_flag::beside_samples, {}};
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -114,6 +114,8 @@ public:
   Index operator[](std::size_t i) const { return m_seeds.empty() ? static_cast<Index>(i) : m_seeds[i]; }
   Seeds seeds(std::size_t first, std::size_t) const { return {(*this)[first], (*this)[first] + 1}; }
   const Point& place(std::size_t i) const { return m_places[i]; }
+  /// Whose normal orients form i, given the first sample of its row.
+  Index oriented_by(std::size_t i, Index first_sample) const { return m_seeds.empty() ? first_sample : m_seeds[i]; }
 
 private:
   std::vector<Point> m_places;

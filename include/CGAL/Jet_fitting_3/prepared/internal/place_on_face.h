@@ -10,13 +10,17 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -38,6 +42,45 @@ corners_of_triangle(typename boost::graph_traits<Mesh>::face_descriptor f, const
     throw Invalid_input("the face of a location is not a triangle of the mesh");
   return {source(h, mesh), target(h, mesh), target(next_h, mesh)};
 }
+
+/// Of the face of a triangle; corners are in the order of barycentric coordinates.
+template <class Mesh>
+typename boost::graph_traits<Mesh>::halfedge_descriptor
+halfedge_into_corner(typename boost::graph_traits<Mesh>::face_descriptor f, std::size_t corner, const Mesh& mesh)
+{
+  const auto h = halfedge(f, mesh), next_h = next(h, mesh);
+  return corner == 0 ? next(next_h, mesh) : corner == 1 ? h : next_h;
+}
+
+/// The corners of faces at vertices on sharp edges, to be looked up.
+template <class Tables>
+class Sharp_corners
+{
+  using Corner = typename Tables::Corner;
+
+public:
+  explicit Sharp_corners(const Tables& tables)
+  {
+    for (const Corner& corner : tables.sharp_corners)
+      m_corners.emplace_back(tables.adjacency.vertex(corner.node), corner);
+    std::stable_sort(m_corners.begin(), m_corners.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  /// The node of a vertex on the side of the face of a halfedge into it.
+  template <class Halfedge>
+  Index node(Index vertex, const Halfedge& halfedge) const
+  {
+    const auto is_before = [](const auto& entry, Index v) { return entry.first < v; };
+    auto found = std::lower_bound(m_corners.begin(), m_corners.end(), vertex, is_before);
+    for (; found != m_corners.end() && found->first == vertex; ++found)
+      if (found->second.halfedge == halfedge) return found->second.node;
+    return vertex;
+  }
+
+private:
+  std::vector<std::pair<Index, Corner>> m_corners; // by number of the vertex
+};
 
 /// Computed from the first corner, so that nothing is lost far from the origin.
 template <class Kernel, class FT>
