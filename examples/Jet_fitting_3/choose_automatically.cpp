@@ -6,6 +6,7 @@
 
 // Curvatures of a noisy sphere, radius and degree chosen from the data.
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/estimate_noise.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/point_generators_3.h>
 
@@ -33,11 +34,15 @@ int main()
   const auto summary =
       CGAL::estimate_point_monge_forms(points, CGAL::Jet_fitting::automatic(), std::back_inserter(forms));
 
+  const CGAL::Jet_fitting::Noise noise = CGAL::estimate_noise(points);
+
   double sum = 0;
   for (const Form& form : forms)
     sum += std::abs(form.principal_curvatures(0) + form.principal_curvatures(1)) / 2 / double(forms.size());
   const auto chosen = summary.quality(0).scale;
-  std::cout << "mean curvature " << sum << ", should be 1\n"
+  std::cout << "noise " << noise.position << " +- " << noise.position_error << ", should be " << 0.02 / std::sqrt(3.)
+            << '\n'
+            << "mean curvature " << sum << ", should be 1\n"
             << "at the first point: radius " << chosen.radius << ", degree " << chosen.degree << ", bias "
             << chosen.bias << ", standard deviation " << chosen.standard_deviation << '\n';
   return std::abs(sum - 1) < 0.05 ? 0 : 1;

@@ -278,6 +278,7 @@ void check_choice()
     test::check_true(made.out.find(words) != std::string::npos, arguments + " says '" + words + "': " + made.out);
   };
   check_says("torus.off", "jets of radius and degree chosen for each vertex, Monge forms of degree 2: 2400 estimated");
+  check_says("torus.off", "noise of points, along the normal: ");
   Mesh mesh = read_ply("choice.ply");
   const auto k1 = property<float>(mesh, "k1"), bias = property<float>(mesh, "bias");
   double square_sum = 0;

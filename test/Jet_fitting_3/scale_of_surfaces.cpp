@@ -249,7 +249,7 @@ Errors errors_on(const test::Analytic_mesh& mesh, double noise_in_edges, double 
   normals = scale::smoothed(normals, neighbors, 3);
 
   const scale::Surface_points<Neighbors> surface{points, normals, neighbors};
-  const double unit = scale::mean_edge(surface), noise = scale::noise_of_surface(surface, unit);
+  const double unit = scale::mean_edge(surface), noise = scale::noise_of_surface(surface, unit).position / unit;
   if (noise_in_edges > 0) test::check_near(noise * unit / step, 1, 0.05, "estimated noise over true noise");
   const scale::Surface_choice<Neighbors> choice(surface, noise * unit, unit);
   scale::Walker<Neighbors> walker(surface);

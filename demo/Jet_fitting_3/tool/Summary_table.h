@@ -95,6 +95,7 @@ public:
     }
     m_out << ", Monge forms of degree " << a.degree_monge << ": " << estimated << " estimated, "
           << estimates.size() - estimated << " left out\n";
+    if (a.is_automatic) add_noise(estimates.summary.noise, a.options.use_normals);
     add_flags(estimates);
   }
 
@@ -158,6 +159,13 @@ private:
     char buffer[160];
     std::snprintf(buffer, sizeof buffer, format, values...);
     m_out << buffer;
+  }
+
+  void add_noise(const CGAL::Jet_fitting::Noise& noise, bool of_normals)
+  {
+    print("noise of points, along the normal: %.4g +- %.2g", noise.position, noise.position_error);
+    if (of_normals) print("; of normals, in radians: %.4g +- %.2g", noise.normal, noise.normal_error);
+    m_out << '\n';
   }
 
   void add_flags(const Estimates& estimates)

@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
 
 #include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 #include <CGAL/Jet_fitting_3/values/Standard_errors.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -75,7 +76,8 @@ public:
   std::size_t estimated = 0; ///< number of items with a form
   std::size_t skipped = 0;   ///< number of items without, their forms are empty
   bool cancelled =
-      false; ///< by the callback: estimated + skipped may be less than all, the forms of the rest are untouched
+      false;   ///< by the callback: estimated + skipped may be less than all, the forms of the rest are untouched
+  Noise noise; ///< of all points, in the unit of the coordinates: what automatic() has estimated, or was given
   std::vector<std::pair<Item, Estimation_status>>
       skipped_items; ///< which, and why; in their order in the mesh or range
 

@@ -57,7 +57,7 @@ public:
                   const std::optional<Noise>& noise = std::nullopt)
     : m_cloud(cloud), m_within(within)
   {
-    const Indices some = spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / places));
+    const Indices some = places_for_noise(cloud);
     const double radius = radius_of_least_neighbors(cloud, within, some);
     m_ladder =
         ladder_of_cloud(radius, noise ? *noise : estimate_noise(cloud, within, some, radius), cloud.has_normals());

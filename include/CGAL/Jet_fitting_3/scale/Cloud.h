@@ -9,7 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
-#include <CGAL/Jet_fitting_3/scale/Noise.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <cstddef>
 #include <vector>

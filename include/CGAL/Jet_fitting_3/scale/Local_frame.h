@@ -52,7 +52,7 @@ struct Local_sample
 {
   double u, v, height, slope_u, slope_v;
   double square; ///< of the distance from the origin
-  bool is_there; ///< not on another sheet
+  bool is_there; ///< not on another sheet, and its normal known
 };
 
 inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_frame& frame, double per_unit,
@@ -62,7 +62,7 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   Local_sample s{r.x, r.y, r.z, 0, 0, dot(d, d), true};
   if (!cloud.has_normals()) return s;
   const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
-  s.is_there = n.z >= -0.2;
+  s.is_there = n.z >= -0.2 && dot(n, n) > 0;
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
   s.slope_v = -normal_factor * n.y;

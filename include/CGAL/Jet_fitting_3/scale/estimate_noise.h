@@ -9,7 +9,8 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/Local_frame.h>
+#include <CGAL/Jet_fitting_3/scale/residual_variance.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,51 +38,13 @@ inline Indices spread_indices(std::size_t size, std::size_t stride)
   return result;
 }
 
-/// The middle one, or the upper of two.
-inline double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The residual variances at one place: of heights, degree 4 fitted to positions alone, and of normals' components,
 /// fitted to normals alone. Negative where there are too few neighbors.
 struct Residual_variances
 {
   double heights = -1, slopes = -1;
+  double neighbors = 0;
 };
-
-inline double residual_variance(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
-                                bool of_slopes)
-{
-  Shell_sums sums;
-  for (const std::size_t i : near) {
-    const Local_sample s = local_sample(cloud, i, frame, 1 / radius, 1);
-    if (s.is_there) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v);
-  }
-  const Nested_fit fit(sums, of_slopes ? 0 : 1, of_slopes ? 1 : 0);
-  const double unknowns = number_of_unknowns,
-               freedom = of_slopes ? 2 * sums.size() - unknowns + 1 : sums.size() - unknowns;
-  if (!fit.determines(highest_degree) || freedom < 10) return -1;
-  double a[number_of_unknowns], m[number_of_unknowns], squares = 0;
-  for (std::size_t k = of_slopes ? 1 : 0; k < number_of_unknowns; ++k) a[k] = fit.coefficient(k, highest_degree);
-  for (const std::size_t i : near) {
-    const Local_sample s = local_sample(cloud, i, frame, 1 / radius, 1);
-    if (!s.is_there) continue;
-    monomials<highest_degree>(s.u, s.v, m);
-    double height = s.height, slope_u = s.slope_u, slope_v = s.slope_v;
-    for (std::size_t order = 0, k = 0; order <= highest_degree; ++order)
-      for (std::size_t j = 0; j <= order; ++j, ++k) {
-        const std::size_t e = order - j;
-        if (!of_slopes) height -= a[k] * m[k];
-        if (of_slopes && e > 0) slope_u -= a[k] * double(e) * m[monomial_index(e - 1, j)];
-        if (of_slopes && j > 0) slope_v -= a[k] * double(j) * m[monomial_index(e, j - 1)];
-      }
-    squares += of_slopes ? slope_u * slope_u + slope_v * slope_v : height * height;
-  }
-  return squares / freedom * (of_slopes ? 1 : radius * radius);
-}
 
 /// The neighbors of point i that lie within a radius are what within(i, radius, indices) gives.
 template <class Within>
@@ -93,39 +56,51 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   const Cloud positions{cloud.points, nullptr, cloud.size};
   const Local_frame frame{cloud.points[i], axes_around(thin_direction(cloud, near, i, radius))};
   Residual_variances result;
+  result.neighbors = double(near.size());
   result.heights = residual_variance(positions, near, frame, radius, false);
   if (!cloud.has_normals()) return result;
-  const Local_frame by_normals = frame_by_normals(cloud, near, i, radius, radius, Noise{1, 0, radius, 0});
+  const Local_frame by_normals = frame_by_normals(cloud, near, i, radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
   result.slopes = residual_variance(cloud, near, by_normals, radius, true);
   return result;
 }
 
-/// The root of the median of variances, and its standard error.
-inline void set_noise(const std::vector<double>& variances, double& noise, double& error)
+/// What fits in balls of one radius leave.
+struct Variances_at_radius
 {
-  if (variances.empty()) return;
-  const double middle = median(variances);
-  std::vector<double> deviations;
-  for (const double v : variances) deviations.push_back(std::abs(v - middle));
-  noise = std::sqrt(middle);
-  if (noise > 0) error = 1.2533 * 1.4826 * median(deviations) / std::sqrt(double(variances.size())) / (2 * noise);
+  Estimated_variance heights, slopes;
+};
+
+/// At about so many places noise is estimated.
+constexpr std::size_t places_of_noise = 200;
+
+inline Indices places_for_noise(const Cloud& cloud)
+{
+  return spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / places_of_noise));
 }
 
-/// The noise as fits in balls of one radius have it.
+/// At each place m of all n points are in the ball: two balls share a part m / n of theirs in the mean.
 template <class Within>
-Noise noise_at_radius(const Cloud& cloud, const Within& within, const Indices& places, double radius)
+Variances_at_radius variances_at_radius(const Cloud& cloud, const Within& within, const Indices& places, double radius)
 {
   std::vector<double> heights, slopes;
+  double neighbors = 0;
   Indices near;
   for (const std::size_t i : places) {
     const Residual_variances v = residual_variances(cloud, within, i, radius, near);
     if (v.heights >= 0) heights.push_back(v.heights);
     if (v.slopes >= 0) slopes.push_back(v.slopes);
+    neighbors += v.neighbors;
   }
-  Noise noise;
-  set_noise(heights, noise.position, noise.position_error);
-  set_noise(slopes, noise.normal, noise.normal_error);
-  return noise;
+  const double shared = neighbors / double(cloud.size);
+  return {median_variance(heights, shared), median_variance(slopes, shared)};
+}
+
+/// A ball around a point with noise cuts the noise off at its rim, 2 s^2 / r^2 of the variance s^2 for large r.
+inline void restore_rim(Estimated_variance& v, double radius)
+{
+  const double factor = 1 / (1 - std::min(0.5, 2 * v.value / (radius * radius)));
+  v.value *= factor;
+  v.error *= factor;
 }
 
 /// The median distance of the neighbor that completes least_neighbors.
@@ -134,7 +109,7 @@ template <class Within>
 double radius_of_least_neighbors(const Cloud& cloud, const Within& within, const Indices& places)
 {
   if (cloud.size < least_neighbors)
-    throw Invalid_input("an automatic choice of the neighborhood takes " + std::to_string(least_neighbors) +
+    throw Invalid_input("telling noise from the surface takes " + std::to_string(least_neighbors) +
                         " points at least: here are " + std::to_string(cloud.size));
   Vector_3<double> low = cloud.points[0], high = low;
   for (std::size_t i = 0; i < cloud.size; ++i) {
@@ -161,23 +136,41 @@ double radius_of_least_neighbors(const Cloud& cloud, const Within& within, const
   }
   const double result = median(radii);
   if (!(result > 0))
-    throw Invalid_input("an automatic choice of the neighborhood: at half of the places that were looked at " +
+    throw Invalid_input("telling noise from the surface: at half of the places that were looked at " +
                         std::to_string(least_neighbors) + " points coincide");
   return result;
 }
 
-/// The noise of a cloud, from about 200 places: in the smallest balls that hold least_neighbors and are six times as
-/// large as the noise found in them.
+/// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as
+/// large as the noise found in them. Errors are by chance, and by what other balls say.
 template <class Within>
 Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& places, double least_radius)
 {
-  Noise noise = noise_at_radius(cloud, within, places, least_radius);
+  const auto at = [&](double radius) {
+    Variances_at_radius v = variances_at_radius(cloud, within, places, radius);
+    restore_rim(v.heights, radius);
+    return v;
+  };
   double radius = least_radius;
-  for (int step = 0; step < 60 && radius < 6 * noise.position; ++step) {
-    radius *= ladder_step;
-    noise = noise_at_radius(cloud, within, places, radius);
-  }
+  const Variances_at_radius least = at(radius);
+  Variances_at_radius v = least;
+  for (int step = 0; step < 60 && radius < 6 * std::sqrt(v.heights.value); ++step) v = at(radius *= ladder_step);
+  const Variances_at_radius larger = at(radius * ladder_step);
+  const auto bias = [](const Estimated_variance& first, const Estimated_variance& own, const Estimated_variance& next) {
+    return std::hypot(own.value - first.value, misfit(own, next, ladder_step));
+  };
+  Noise noise;
+  set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
+  set_noise(v.slopes, bias(least.slopes, v.slopes, larger.slopes), noise.normal, noise.normal_error);
   return noise;
+}
+
+/// In the smallest balls that will do. \throw Invalid_input if there are too few points
+template <class Within>
+Noise estimate_noise(const Cloud& cloud, const Within& within)
+{
+  const Indices places = places_for_noise(cloud);
+  return estimate_noise(cloud, within, places, radius_of_least_neighbors(cloud, within, places));
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

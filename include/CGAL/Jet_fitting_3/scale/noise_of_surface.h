@@ -7,7 +7,10 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_NOISE_OF_SURFACE_H
 #define CGAL_JET_FITTING_3_SCALE_NOISE_OF_SURFACE_H
 
+#include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/residual_variance.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +38,29 @@ double mean_edge(const Surface_points<Neighbors>& surface)
   return count > 0 ? sum / count : 0;
 }
 
-/// The mean square of what a fit leaves to so many rings, per degree of freedom, or infinity.
+/// The sum of x^i y^j times the first coefficients, up to the degree, and its gradient as slopes.
+inline scale::Polynomial_value value_at(const std::array<double, number_of_jet_coefficients(highest_degree)>& c,
+                                        std::size_t degree, double x, double y)
+{
+  scale::Polynomial_value value;
+  double power_of_y = 1, below = 0; // y^j, j y^(j - 1)
+  for (std::size_t j = 0; j <= degree; ++j) {
+    double in_x = 0, slope = 0; // Horner
+    for (std::size_t i = degree - j + 1; i-- > 0;) {
+      slope = slope * x + in_x;
+      in_x = in_x * x + c[term_index(i + j, j)];
+    }
+    value.height += power_of_y * in_x;
+    value.slope_u += power_of_y * slope;
+    value.slope_v += below * in_x;
+    below = double(j + 1) * power_of_y;
+    power_of_y *= y;
+  }
+  return value;
+}
+
+/// The mean square of what a fit leaves to so many rings, per degree of freedom, or infinity. Noise along the surface,
+/// which shows where it slopes, is taken out, and the median is made that of the variance.
 template <class Neighbors>
 double residual_variance(const Surface_points<Neighbors>& surface, const Local_frame& frame,
                          const std::vector<std::size_t>& vertices, std::size_t count, std::size_t degree, double unit)
@@ -48,47 +73,104 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
     local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
     moments.add(local.back().x, local.back().y, local.back().z);
   }
-  const Normal_matrix matrix(moments, degree);
-  if (!matrix.is_regular()) return std::numeric_limits<double>::infinity();
-  auto c = moments.heights;
+  const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
+  if (!matrix.is_regular() || !of_slopes.is_regular()) return std::numeric_limits<double>::infinity();
+  auto c = moments.heights, flat = moments.heights;
   matrix.solve(c);
+  of_slopes.solve(flat);
   double sum = 0;
   for (const Vector_3<double>& q : local) {
-    double fitted = 0, power_of_y = 1;
-    for (std::size_t j = 0; j <= degree; ++j, power_of_y *= q.y) { // Horner in x
-      double in_x = 0;
-      for (std::size_t i = degree - j + 1; i-- > 0;) in_x = in_x * q.x + c[term_index(i + j, j)];
-      fitted += power_of_y * in_x;
-    }
-    sum += (q.z - fitted) * (q.z - fitted);
+    const double rest = q.z - value_at(c, degree, q.x, q.y).height;
+    const scale::Polynomial_value slope = value_at(flat, 2, q.x, q.y);
+    sum += rest * rest / (1 + slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v);
   }
-  return sum / double(count - unknowns);
+  const double freedom = double(count - unknowns);
+  return scale::median_correction(freedom) * sum / freedom;
 }
 
-/// The standard deviation of a coordinate's noise in the unit: the least of the medians over about 200 vertices for
-/// fits of degree 4 to three rings and of degree 6 to four: more rings or lower degrees take the surface for noise.
-template <class Neighbors>
-double noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
+/// Medians over places on a surface of what fits of one degree leave.
+struct Variances_of_surface
 {
-  constexpr std::array<std::array<std::size_t, 2>, 3> fits{{{4, 3}, {4, 4}, {6, 4}}}; // degree, rings
-  std::array<std::vector<double>, fits.size()> variances;
+  std::vector<double> variances;
+  double neighbors = 0; ///< summed over places
+
+  void add(double variance, std::size_t count)
+  {
+    variances.push_back(variance);
+    neighbors += double(count);
+  }
+
+  scale::Estimated_variance median(std::size_t size) const
+  {
+    return scale::median_variance(variances, neighbors / double(size));
+  }
+};
+
+/// The frame and rings of about 200 vertices.
+template <class Neighbors, class Visit>
+void visit_places(const Surface_points<Neighbors>& surface, double unit, std::size_t rings, const Visit& visit)
+{
   Walker<Neighbors> walker(surface);
   std::vector<std::size_t> found, ends;
   const std::size_t step = std::max<std::size_t>(1, surface.points.size() / 200);
   for (std::size_t i = 0; i < surface.points.size(); i += step) {
     const Local_frame frame = tangent_frame(surface, walker, i, unit);
-    walker.rings(i, 4, found, ends);
-    for (std::size_t k = 0; k < fits.size(); ++k)
-      variances[k].push_back(residual_variance(surface, frame, found, ends[fits[k][1]], fits[k][0], unit));
+    walker.rings(i, rings, found, ends);
+    visit(frame, found, ends);
   }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::vector<double>& v : variances) {
-    const auto middle = v.begin() + std::ptrdiff_t(v.size() / 2);
-    if (v.empty()) continue;
-    std::nth_element(v.begin(), middle, v.end());
-    least = std::min(least, *middle);
+}
+
+/// The noise of points, infinite where they are too few: the least of the medians for fits of degree 4 to three and four
+/// rings and of degree 6 to four: more rings or lower degrees take the surface for noise, as the next ring tells.
+template <class Neighbors>
+Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
+{
+  struct Fit
+  {
+    std::size_t degree, rings;
+    Variances_of_surface variances{};
+  };
+  std::array<Fit, 5> fits{{{4, 3}, {4, 4}, {4, 5}, {6, 4}, {6, 5}}};
+  visit_places(surface, unit, 5, [&](const Local_frame& frame, const auto& found, const auto& ends) {
+    for (Fit& fit : fits) {
+      const std::size_t count = ends[fit.rings];
+      fit.variances.add(residual_variance(surface, frame, found, count, fit.degree, unit), count);
+    }
+  });
+  Noise noise;
+  noise.position = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : {0, 1, 3}) { // the next has one ring more
+    const scale::Estimated_variance own = fits[k].variances.median(surface.points.size()),
+                                    larger = fits[k + 1].variances.median(surface.points.size());
+    if (!(std::sqrt(own.value) * unit < noise.position)) continue;
+    const double factor = double(fits[k + 1].rings) / double(fits[k].rings);
+    scale::set_noise(own, scale::misfit(own, larger, factor), noise.position, noise.position_error);
+    noise.position *= unit;
+    noise.position_error *= unit;
   }
-  return std::sqrt(least);
+  return noise;
+}
+
+/// Adds that of normals of length 1, one for each point; from fits of degree 4 to three rings.
+template <class Neighbors>
+void add_noise_of_normals(const Surface_points<Neighbors>& surface, double unit,
+                          const std::vector<Vector_3<double>>& normals, Noise& noise)
+{
+  const scale::Cloud cloud{surface.points.data(), normals.data(), normals.size()};
+  std::array<Variances_of_surface, 2> variances; // of three rings, of four
+  visit_places(surface, unit, 4, [&](const Local_frame&, const auto& found, const auto& ends) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::vector<std::size_t> near(found.begin(), found.begin() + std::ptrdiff_t(ends[3 + k]));
+      const double radius = double(3 + k) * unit;
+      const scale::Local_frame by_normals =
+          scale::frame_by_normals(cloud, near, found[0], radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
+      const double variance = scale::residual_variance(cloud, near, by_normals, radius, true);
+      if (variance >= 0) variances[k].add(variance, near.size());
+    }
+  });
+  const scale::Estimated_variance own = variances[0].median(surface.points.size()),
+                                  larger = variances[1].median(surface.points.size());
+  scale::set_noise(own, scale::misfit(own, larger, 4. / 3), noise.normal, noise.normal_error);
 }
 
 /// How often normals are averaged with their neighbors' so that they tell where the surface turns: without noise over

@@ -10,6 +10,7 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
@@ -65,15 +66,10 @@ struct For_each_with_body
 template <class Kernel>
 class Learned_surface
 {
-  struct Neighbors
-  {
-    const Adjacency* adjacency;
-    Adjacency::Row operator()(std::size_t node) const { return (*adjacency)[static_cast<Index>(node)]; }
-  };
+  using Edges = Unit_surface::Edges;
 
 public:
-  using Surface = averaging::Surface_points<Neighbors>;
-  using Walker = averaging::Walker<Neighbors>;
+  using Walker = Unit_surface::Walker;
 
   /// All derivatives at a vertex, in a frame of its own.
   struct Result
@@ -86,23 +82,22 @@ public:
 
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees), m_points(points(tables)),
-      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, averaging::rounds_of_smoothing(0))),
-      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_unit(averaging::mean_edge(m_surface)),
-      m_noise(noise(tables.points, options)),
-      m_choice(with_smoother_normals(), m_noise, m_unit, degrees.highest, For_each_with_body<ConcurrencyTag>())
+    : m_degrees(degrees), m_surface(tables), m_noise(noise(tables.points, options)),
+      m_choice(m_surface.smoothed_for(m_noise.position), m_noise.position, m_surface.mean_edge(), degrees.highest,
+               For_each_with_body<ConcurrencyTag>())
   {
-    const double variance = averaging::variance_in_units(m_noise, m_unit);
+    const double variance = averaging::variance_in_units(m_noise.position, m_surface.mean_edge());
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
-      m_higher.emplace_back(m_surface, variance, m_unit, order, degrees.highest, For_each_with_body<ConcurrencyTag>());
+      m_higher.emplace_back(m_surface.surface(), variance, m_surface.mean_edge(), order, degrees.highest,
+                            For_each_with_body<ConcurrencyTag>());
   }
 
-  Learned_surface(const Learned_surface&) = delete; // its parts refer to each other
-
-  Walker walker() const { return Walker(m_surface); }
+  Walker walker() const { return Walker(m_surface.surface()); }
+  /// In units.
+  const Noise& noise() const { return m_noise; }
 
   /// Of no neighborhood it is exceeded, but for orders above 2. In units.
-  double largest_radius() const { return averaging::largest_radius * m_unit; }
+  double largest_radius() const { return averaging::largest_radius * m_surface.mean_edge(); }
 
   /// \param order at most that which is learned
   template <class Solver>
@@ -122,61 +117,29 @@ public:
       std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
       if (k == 0) result.third_order_risk = higher.variance + higher.squared_bias;
     }
-    result.exists = order <= 4 || averaging::add_higher_orders(m_surface, walker, i, second.frame, largest_radius(),
-                                                               solver, result.jet);
+    result.exists = order <= 4 || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
+                                                               largest_radius(), solver, result.jet);
     return result;
   }
 
 private:
-  /// In units; a point that is not finite has no edges, and may be anywhere.
-  template <class Tables>
-  static std::vector<Vector_3<double>> points(const Tables& tables)
-  {
-    const Index origin = tables.points.first_finite();
-    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 0});
-    for (Index node = 0; node < result.size(); ++node) {
-      const Index i = tables.adjacency.vertex(node);
-      if (tables.points.is_finite(i)) result[node] = tables.points.offset_in_units(origin, i);
-    }
-    return result;
-  }
-
-  template <class Tables>
-  static std::vector<Vector_3<double>> normals(const Tables& tables)
-  {
-    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 1});
-    for (Index node = 0; node < result.size(); ++node) {
-      const Vector_3<float> packed = tables.normals[node];
-      const Vector_3<double> n{packed.x, packed.y, packed.z};
-      if (dot(n, n) > 0) result[node] = 1 / std::sqrt(dot(n, n)) * n;
-    }
-    return result;
-  }
-
   /// In units: the given one, or that of the mesh.
-  double noise(const Point_table<Kernel>& table, const Options& options) const
+  Noise noise(const Point_table<Kernel>& table, const Options& options) const
   {
-    if (options.position_noise) return *options.position_noise * table.per_length();
-    const double in_edges = m_unit > 0 ? averaging::noise_of_surface(m_surface, m_unit) : INFINITY;
-    if (!std::isfinite(in_edges))
+    Noise noise;
+    if (options.position_noise) noise.position = *options.position_noise * table.per_length();
+    else noise = m_surface.noise();
+    if (!std::isfinite(noise.position))
       throw Invalid_input("automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
                           " vertices: there are too few within three rings. Options::position_noise gives it");
-    return in_edges * m_unit;
-  }
-
-  const Surface& with_smoother_normals()
-  {
-    const int more = averaging::rounds_of_smoothing(m_noise / m_unit) - averaging::rounds_of_smoothing(0);
-    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, more);
-    return m_surface;
+    return noise;
   }
 
   Automatic_degrees m_degrees;
-  std::vector<Vector_3<double>> m_points, m_normals;
-  Surface m_surface;
-  double m_unit, m_noise;
-  averaging::Surface_choice<Neighbors> m_choice;
-  std::vector<averaging::Order_choice<Neighbors>> m_higher; // orders 3 and 4
+  Unit_surface m_surface;
+  Noise m_noise;
+  averaging::Surface_choice<Edges> m_choice;
+  std::vector<averaging::Order_choice<Edges>> m_higher; // orders 3 and 4
 };
 
 /// Estimates forms as means of fits at radii and degrees that are chosen for each vertex. A row is a node of the
@@ -211,6 +174,7 @@ public:
   {}
 
   bool reports_quality() const { return true; }
+  Noise noise() const { return in_larger_unit(m_learned->noise(), m_points.per_length()); }
   static constexpr std::size_t rows_at_a_time() { return 1; }
 
   /// Storage of `results` is used again.

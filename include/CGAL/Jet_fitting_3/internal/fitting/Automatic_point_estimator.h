@@ -12,14 +12,13 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
-#include <CGAL/Jet_fitting_3/internal/gathering/Ball_search.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud_scale.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
@@ -42,19 +41,20 @@ template <class Kernel>
 class Learned_scale
 {
   using Tables = Sample_tables<Kernel>;
-  using Search = Ball_search<typename Tables::Number>;
+  using Cloud = Unit_cloud<Kernel>;
 
 public:
   template <class ConcurrencyTag>
   Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, const Options& options)
-    : m_places(offsets_from_middle(tables)), m_per_length(brought_to_unit_size(m_places)), m_normals(values(normals)),
-      m_search(tables.samples, m_per_length),
-      m_scale(m_places, m_normals, std::cref(m_search), For_each<ConcurrencyTag>(), noise(options))
+    : m_cloud(tables, normals), m_scale(m_cloud.places(), m_cloud.normals(), std::cref(m_cloud.search()),
+                                        For_each<ConcurrencyTag>(), noise(options))
   {}
 
   const auto& scale() const { return m_scale; }
   /// How many units one length is.
-  double per_length() const { return m_per_length; }
+  double per_length() const { return m_cloud.per_length(); }
+  /// In lengths.
+  Noise noise() const { return in_larger_unit(m_scale.noise(), per_length()); }
 
 private:
   template <class ConcurrencyTag>
@@ -75,52 +75,18 @@ private:
     }
   };
 
-  static std::vector<Vector_3<double>> offsets_from_middle(const Tables& tables)
-  {
-    std::vector<Vector_3<double>> result(tables.size());
-    if (tables.size() == 0) return result;
-    const auto middle = tables.points.middle();
-    for (Index s = 0; s < tables.size(); ++s) result[s] = tables.points.template offset<double>(middle, s);
-    return result;
-  }
-
-  /// In a unit in which half of them are of size 1 at most. Places that are very far away are brought to where squares
-  /// do not overflow. \return how many units one length is
-  static double brought_to_unit_size(std::vector<Vector_3<double>>& places)
-  {
-    std::vector<double> sizes;
-    for (const Vector_3<double>& p : places) sizes.push_back((std::max)({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
-    if (sizes.empty()) return 1;
-    const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
-    std::nth_element(sizes.begin(), median, sizes.end());
-    const double per_length = 1 / numeric::power_of_two_above(*median), most = 0x1p300;
-    const auto in_units = [&](double x) { return (std::min)((std::max)(per_length * x, -most), most); };
-    for (Vector_3<double>& p : places) p = {in_units(p.x), in_units(p.y), in_units(p.z)};
-    return per_length;
-  }
-
-  static std::vector<Vector_3<double>> values(const Unit_normals& normals)
-  {
-    std::vector<Vector_3<double>> result;
-    for (Index i = 0; i < normals.size(); ++i) result.push_back(normals[i]);
-    return result;
-  }
-
   /// The noise that the user gives, in units.
   std::optional<Noise> noise(const Options& options) const
   {
     if (!options.position_noise) return std::nullopt;
     Noise given;
-    given.position = *options.position_noise * m_per_length;
+    given.position = *options.position_noise * per_length();
     given.normal = options.normal_noise.value_or(0);
     return given;
   }
 
-  std::vector<Vector_3<double>> m_places; // of the samples, in units
-  double m_per_length;
-  std::vector<Vector_3<double>> m_normals;
-  Search m_search;
-  scale::Cloud_scale<std::reference_wrapper<const Search>> m_scale;
+  Cloud m_cloud;
+  scale::Cloud_scale<std::reference_wrapper<const typename Cloud::Search>> m_scale;
 };
 
 /// Estimates forms at radii and degrees that are chosen for each sample. A row is the sample alone: its neighbors are
@@ -142,6 +108,7 @@ public:
   }
 
   bool reports_quality() const { return true; }
+  Noise noise() const { return m_learned->noise(); }
   static constexpr std::size_t rows_at_a_time() { return 1; }
 
   /// Storage of `results` is used again.

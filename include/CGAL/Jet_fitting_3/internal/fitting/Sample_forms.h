@@ -131,7 +131,9 @@ public:
     : m_wanted(wanted), m_outputs(outputs_of_rows(wanted, seeds, samples, sample_of)), m_normals(normals_of_points),
       m_places_are_shared(!samples.copies().empty()),
       m_forms(wanted.size()), m_reports{std::vector<Estimation_status>(wanted.size()),
-                                        std::vector<Fit_quality>(has_qualities ? wanted.size() : 0), false}
+                                        std::vector<Fit_quality>(has_qualities ? wanted.size() : 0),
+                                        false,
+                                        {}}
   {
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (sample_of[wanted[i]] == no_index) m_reports.statuses[i] = Status_flag::not_finite;
@@ -150,16 +152,17 @@ public:
   }
 
   /// Writes the forms up to the first that was not reached.
-  /// \return the reports of the points
+  /// \return the reports of the points, with what those of the rows say of the whole
   template <class OutputIterator>
-  Estimation_reports write(bool is_cancelled, OutputIterator output)
+  Estimation_reports write(const Estimation_reports& of_rows, OutputIterator output)
   {
     const auto is_unknown = [](Estimation_status s) { return s.is_unknown(); };
     const auto begin = m_reports.statuses.begin(), end = m_reports.statuses.end(),
                unknown = std::find_if(begin, end, is_unknown);
     std::fill(unknown, end, Estimation_status());
     m_forms.write(std::size_t(unknown - begin), output);
-    m_reports.cancelled = is_cancelled;
+    m_reports.cancelled = of_rows.cancelled;
+    m_reports.noise = of_rows.noise;
     return std::move(m_reports);
   }
 

@@ -35,7 +35,7 @@ public:
   Estimation_reports put_in_order(const Sides& sides, Estimation_reports&& of_nodes, OutputIterator output)
   {
     Estimation_reports reports{std::vector<Estimation_status>(sides.size()),
-                               std::vector<Fit_quality>(of_nodes.qualities.size()), of_nodes.cancelled};
+                               std::vector<Fit_quality>(of_nodes.qualities.size()), of_nodes.cancelled, of_nodes.noise};
     for (std::size_t side = 0; side < sides.size(); ++side) {
       const Index node = sides.nodes()[side];
       if (of_nodes.statuses[node].is_unknown()) break;

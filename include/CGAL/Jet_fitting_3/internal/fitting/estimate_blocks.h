@@ -65,6 +65,7 @@ struct Estimation_reports
   std::vector<Estimation_status> statuses;
   std::vector<Fit_quality> qualities; ///< if asked for
   bool cancelled;
+  Noise noise; ///< that automatic() has found
 
   template <class DataKernel>
   void take(const Estimated_block<DataKernel>& block)
@@ -85,6 +86,7 @@ Estimation_summary<Item> summary_of(Estimation_reports&& reports, const Items& i
 {
   Estimation_summary<Item> summary;
   summary.cancelled = reports.cancelled;
+  summary.noise = reports.noise;
   summary.set_reports(std::move(reports.statuses), std::move(reports.qualities), items, number_of);
   return summary;
 }
@@ -142,7 +144,8 @@ Estimation_reports estimate_blocks(const Tables& tables, const Row_estimator& es
   const std::size_t size = all.size();
   constexpr std::size_t most_points = std::size_t(1) << 18; // of the rows that are gathered together
   Estimation_reports reports{std::vector<Estimation_status>(size),
-                             std::vector<Fit_quality>(estimator.reports_quality() ? size : 0), false};
+                             std::vector<Fit_quality>(estimator.reports_quality() ? size : 0), false,
+                             estimator.noise()};
   Serial_writer<Block> writer;
   std::size_t done = 0;
   const auto write_block = [&](const Block& block) {

@@ -71,6 +71,8 @@ public:
   static constexpr std::size_t rows_at_a_time() { return std::size_t(numeric::Lanes<Pack>::count); }
 
   bool reports_quality() const { return m_options.report_quality || m_options.standard_errors; }
+  /// Of all points: automatic() alone tells it.
+  static Noise noise() { return {}; }
 
   /// Storage of `results` is used again.
   /// \param place_of(row) is the place at whose foot on the jet the form is wanted; rows may then be empty

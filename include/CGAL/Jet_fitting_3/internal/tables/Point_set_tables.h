@@ -23,6 +23,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -125,9 +126,9 @@ template <class Range, class NamedParameters>
 using May_have_normals = std::bool_constant<!std::is_same<
     decltype(normal_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>())), No_normals>::value>;
 
-/// The given normals as data. \throw Invalid_input if there are none
+/// The given normals as data, if there are any.
 template <class Range, class NamedParameters>
-Unit_normals read_unit_normals(const Range& range, const NamedParameters& np, std::size_t size)
+std::optional<Unit_normals> unit_normals_if_any(const Range& range, const NamedParameters& np, std::size_t size)
 {
   if constexpr (May_have_normals<Range, NamedParameters>::value) {
     bool has_normals = true;
@@ -140,6 +141,14 @@ Unit_normals read_unit_normals(const Range& range, const NamedParameters& np, st
       return Unit_normals(size, [&](Index) { return get(normal_map, *item++); });
     }
   }
+  return std::nullopt;
+}
+
+/// The given normals as data. \throw Invalid_input if there are none
+template <class Range, class NamedParameters>
+Unit_normals read_unit_normals(const Range& range, const NamedParameters& np, std::size_t size)
+{
+  if (std::optional<Unit_normals> normals = unit_normals_if_any(range, np, size)) return *std::move(normals);
   throw Invalid_input("Options::use_normals needs a normal_map");
 }
 

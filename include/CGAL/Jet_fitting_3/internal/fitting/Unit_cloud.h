@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_CLOUD_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_CLOUD_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/gathering/Ball_search.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
+#include <CGAL/Jet_fitting_3/scale/Cloud.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Samples as automatic() and estimate_noise() take them: near the origin, of size 1, with a search for neighbors. The
+/// tables must outlive it.
+template <class Kernel>
+class Unit_cloud
+{
+  using Tables = Sample_tables<Kernel>;
+
+public:
+  using Search = Ball_search<typename Tables::Number>;
+
+  /// \param normals in the order of the samples, or none
+  Unit_cloud(const Tables& tables, const Unit_normals& normals)
+    : m_places(offsets_from_middle(tables)), m_per_length(brought_to_unit_size(m_places)), m_normals(values(normals)),
+      m_search(tables.samples, m_per_length)
+  {}
+
+  Unit_cloud(const Unit_cloud&) = delete;
+  Unit_cloud& operator=(const Unit_cloud&) = delete;
+
+  const std::vector<Vector_3<double>>& places() const { return m_places; }
+  const std::vector<Vector_3<double>>& normals() const { return m_normals; }
+  scale::Cloud cloud() const
+  {
+    return {m_places.data(), m_normals.empty() ? nullptr : m_normals.data(), m_places.size()};
+  }
+  const Search& search() const { return m_search; }
+  /// How many units one length is.
+  double per_length() const { return m_per_length; }
+
+private:
+  static std::vector<Vector_3<double>> offsets_from_middle(const Tables& tables)
+  {
+    std::vector<Vector_3<double>> result(tables.size());
+    if (tables.size() == 0) return result;
+    const auto middle = tables.points.middle();
+    for (Index s = 0; s < tables.size(); ++s) result[s] = tables.points.template offset<double>(middle, s);
+    return result;
+  }
+
+  /// In a unit in which half of them are of size 1 at most. Places that are very far away are brought to where squares
+  /// do not overflow. \return how many units one length is
+  static double brought_to_unit_size(std::vector<Vector_3<double>>& places)
+  {
+    std::vector<double> sizes;
+    for (const Vector_3<double>& p : places) sizes.push_back((std::max)({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    if (sizes.empty()) return 1;
+    const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+    std::nth_element(sizes.begin(), median, sizes.end());
+    const double per_length = 1 / numeric::power_of_two_above(*median), most = 0x1p300;
+    const auto in_units = [&](double x) { return (std::min)((std::max)(per_length * x, -most), most); };
+    for (Vector_3<double>& p : places) p = {in_units(p.x), in_units(p.y), in_units(p.z)};
+    return per_length;
+  }
+
+  static std::vector<Vector_3<double>> values(const Unit_normals& normals)
+  {
+    std::vector<Vector_3<double>> result;
+    for (Index i = 0; i < normals.size(); ++i) result.push_back(normals[i]);
+    return result;
+  }
+
+  std::vector<Vector_3<double>> m_places; // of the samples, in units
+  double m_per_length;
+  std::vector<Vector_3<double>> m_normals;
+  Search m_search;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_CLOUD_H

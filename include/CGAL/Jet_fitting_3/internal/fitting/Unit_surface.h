@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_SURFACE_H
+#define CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_SURFACE_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// A mesh as automatic() and estimate_noise() take it: points in the unit of the tables, which must outlive it, normals
+/// that tell where the surface turns. Vertices are the nodes of the adjacency.
+class Unit_surface
+{
+  struct Neighbors
+  {
+    const Adjacency* adjacency;
+    Adjacency::Row operator()(std::size_t node) const { return (*adjacency)[static_cast<Index>(node)]; }
+  };
+
+public:
+  using Edges = Neighbors;
+  using Surface = averaging::Surface_points<Neighbors>;
+  using Walker = averaging::Walker<Neighbors>;
+
+  template <class Tables>
+  explicit Unit_surface(const Tables& tables)
+    : m_points(points(tables)),
+      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, averaging::rounds_of_smoothing(0))),
+      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_mean_edge(averaging::mean_edge(m_surface))
+  {}
+
+  Unit_surface(const Unit_surface&) = delete; // its parts refer to each other
+  Unit_surface& operator=(const Unit_surface&) = delete;
+
+  const Surface& surface() const { return m_surface; }
+  double mean_edge() const { return m_mean_edge; }
+
+  /// Infinite if there are too few vertices.
+  Noise noise() const
+  {
+    if (m_mean_edge > 0) return averaging::noise_of_surface(m_surface, m_mean_edge);
+    Noise unknown;
+    unknown.position = INFINITY;
+    return unknown;
+  }
+
+  /// Smooths the normals as so much noise, in units, asks for. \return the surface
+  const Surface& smoothed_for(double noise)
+  {
+    const int more = averaging::rounds_of_smoothing(noise / m_mean_edge) - averaging::rounds_of_smoothing(0);
+    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, more);
+    return m_surface;
+  }
+
+private:
+  /// In units; a point that is not finite has no edges, and may be anywhere.
+  template <class Tables>
+  static std::vector<Vector_3<double>> points(const Tables& tables)
+  {
+    const Index origin = tables.points.first_finite();
+    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 0});
+    for (Index node = 0; node < result.size(); ++node) {
+      const Index i = tables.adjacency.vertex(node);
+      if (tables.points.is_finite(i)) result[node] = tables.points.offset_in_units(origin, i);
+    }
+    return result;
+  }
+
+  template <class Tables>
+  static std::vector<Vector_3<double>> normals(const Tables& tables)
+  {
+    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 1});
+    for (Index node = 0; node < result.size(); ++node) {
+      const Vector_3<float> packed = tables.normals[node];
+      const Vector_3<double> n{packed.x, packed.y, packed.z};
+      if (dot(n, n) > 0) result[node] = 1 / std::sqrt(dot(n, n)) * n;
+    }
+    return result;
+  }
+
+  std::vector<Vector_3<double>> m_points, m_normals;
+  Surface m_surface;
+  double m_mean_edge;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_INTERNAL_FITTING_UNIT_SURFACE_H

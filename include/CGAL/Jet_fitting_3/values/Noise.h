@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_VALUES_NOISE_H
+#define CGAL_JET_FITTING_3_VALUES_NOISE_H
+
+namespace CGAL {
+namespace Jet_fitting {
+
+/// \ingroup PkgJetFitting3Choice
+/// The noise of points and normals, each with a standard error, by chance and by what of the surface itself may have
+/// been taken for noise: where that could be all, the error is as large as the noise.
+struct Noise
+{
+  /// @{
+  /// The standard deviation of points along the normal, in length.
+  double position = 0, position_error = 0;
+  /// @}
+  /// @{
+  /// The standard deviation of a component, along the surface, of the difference between a given normal and that of
+  /// the surface at the foot of its point: the angle along each tangent, in radians. 0 without normals.
+  double normal = 0, normal_error = 0;
+  /// @}
+};
+
+/// In a larger unit of length, of which one is so many of the present one.
+inline Noise in_larger_unit(const Noise& noise, double per_unit)
+{
+  return {noise.position / per_unit, noise.position_error / per_unit, noise.normal, noise.normal_error};
+}
+
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_VALUES_NOISE_H

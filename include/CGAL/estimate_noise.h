@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ESTIMATE_NOISE_H
+#define CGAL_ESTIMATE_NOISE_H
+
+#include <CGAL/license/Jet_fitting_3.h>
+
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Point_set_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
+#include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace internal {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+template <class T, class = void>
+struct Is_range : std::false_type
+{};
+
+template <class T>
+struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()))>> : std::true_type
+{};
+
+/// In lengths.
+template <class ConcurrencyTag, class PointRange, class NamedParameters>
+Noise noise_of_points(const PointRange& points, const NamedParameters& np)
+{
+  using Kernel = Kernel_of_range<PointRange, NamedParameters>;
+  Point_set_tables<Kernel> read = point_set_tables(points, np);
+  const std::optional<Unit_normals> given = unit_normals_if_any(points, np, read.size());
+  const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
+  const Unit_normals normals = given.value_or(Unit_normals()).reordered(tables.samples.tree().numbers());
+  const Unit_cloud<Kernel> samples(tables, normals);
+  return in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()), samples.per_length());
+}
+
+/// Of the nodes of a mesh.
+template <class Tables>
+std::vector<Vector_3<double>> normals_of_nodes(const Tables& tables, const Unit_normals& normals)
+{
+  std::vector<Vector_3<double>> result;
+  for (Index node = 0; node < tables.adjacency.number_of_nodes(); ++node)
+    result.push_back(normals[tables.adjacency.vertex(node)]);
+  return result;
+}
+
+template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
+Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
+{
+  const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
+  const Unit_surface surface(tables);
+  Noise noise = surface.noise();
+  if (!std::isfinite(noise.position))
+    throw Invalid_input("estimate_noise(): of the " + std::to_string(tables.size()) +
+                        " vertices of this mesh too few have enough others within three rings");
+  if constexpr (!Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value)
+    averaging::add_noise_of_normals(surface.surface(), surface.mean_edge(),
+                                    normals_of_nodes(tables, read_unit_normals(np, *tables.numbering)), noise);
+  return in_larger_unit(noise, tables.points.per_length());
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace internal
+} // namespace Jet_fitting
+
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// \ingroup PkgJetFitting3Choice
+/// Estimates the noise of a point set or mesh, and of its normals if there are any, from what jets of high degree leave
+/// in small neighborhoods at about 200 places. It is what automatic() goes by, and costs little beside it.
+///
+/// \tparam ConcurrencyTag Sequential_tag, Parallel_tag (needs TBB) or Parallel_if_available_tag. The results are the
+///         same, bit by bit, for every tag and number of threads.
+/// \param points_or_mesh a range of points, or of anything with a point map, as for estimate_point_monge_forms(), or a
+///        mesh, as for estimate_vertex_monge_forms()
+/// \param np `point_map`, `normal_map` and `geom_traits`, or `vertex_point_map`, `vertex_index_map`,
+///        `vertex_normal_map`, `edge_is_constrained_map` and `geom_traits`, as for these functions. Given normals may
+///        have any length; those that are zero or not finite are left out
+/// \return standard deviations, in the unit of the coordinates and in radians, with errors. Where the surface is not
+///         smooth on the scale of a few edges, or of 45 points, what cannot be told from noise counts as noise, and the
+///         error says so
+/// \throw Jet_fitting::Invalid_input if there are too few points, or too many of them coincide
+template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+Jet_fitting::Noise estimate_noise(const PointsOrMesh& points_or_mesh,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  if constexpr (Jet_fitting::internal::Is_range<PointsOrMesh>::value)
+    return Jet_fitting::internal::noise_of_points<ConcurrencyTag>(points_or_mesh, np);
+  else return Jet_fitting::internal::noise_of_vertices<ConcurrencyTag>(points_or_mesh, np);
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace CGAL
+
+#endif // CGAL_ESTIMATE_NOISE_H
