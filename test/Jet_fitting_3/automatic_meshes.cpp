@@ -81,6 +81,10 @@ double beside_fixed_choices(const Analytic_mesh& exact, double noise, const std:
   check_le(ratio, 1.4, name + " beside the best fixed choice");
   const jets::Chosen_scale scale = summary.quality(Vertex(17)).scale;
   check_true(scale.standard_deviation > 0 && scale.bias >= 0, name + ": bias and variance are reported");
+  check_true(scale.radius > 0 && summary.radius_quantile(0) > 0, name + ": radii are reported");
+  std::size_t degrees = 0;
+  for (const std::size_t d : {2, 4, 6}) degrees += summary.count_of_degree(d);
+  check_equal(degrees, summary.estimated, name + ": degrees are reported");
   return ratio;
 }
 

@@ -114,6 +114,40 @@ void order_of_points()
     check_true(others[i].coefficients() == forms[order[i]].coefficients(), "same bits in another order");
 }
 
+// The maps, quantiles and counts are those of the qualities; where nothing was chosen there are none. Noise asks
+// for larger balls.
+void what_was_chosen()
+{
+  double median = 0;
+  for (const double noise : {0.0001, 0.003}) {
+    const Cloud cloud = noisy_torus(2000, noise);
+    std::vector<Form> forms;
+    const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>());
+    const auto summary =
+        CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np);
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const jets::Chosen_scale scale = summary.quality(i).scale;
+      radii.push_back(scale.radius);
+      check_true(scale.radius > 0.1 && scale.radius < 2, "radius " + text(scale.radius));
+      check_true(get(summary.radius_map(), i) == scale.radius && get(summary.degree_map(), i) == scale.degree &&
+                     get(summary.bias_map(), i) == scale.bias &&
+                     get(summary.standard_deviation_map(), i) == scale.standard_deviation,
+                 "property maps");
+    }
+    std::sort(radii.begin(), radii.end());
+    for (const double p : {0., 0.25, 0.5, 1.})
+      check_equal(summary.radius_quantile(p), radii[std::size_t(p * double(radii.size() - 1) + 0.5)], "a quantile");
+    check_equal(summary.count_of_degree(2) + summary.count_of_degree(4), forms.size(), "degrees are 2 or 4");
+    check_equal(summary.count_of_degree(0), std::size_t(0), "none has degree 0");
+    check_true(summary.radius_quantile(0.5) > median, "noise asks for larger balls");
+    median = summary.radius_quantile(0.5);
+    check_throws<jets::Invalid_input>([&] { summary.radius_quantile(1.5); }, {"1.5"}, "beyond all");
+    const auto fixed = CGAL::estimate_point_monge_forms(cloud.points, jets::nearest(20), std::back_inserter(forms), np);
+    check_equal(fixed.radius_quantile(0.5), 0., "nothing chosen, no radius");
+  }
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -132,6 +166,7 @@ int main()
 {
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
   order_of_points();
+  what_was_chosen();
   misuse();
   return result();
 }

@@ -279,17 +279,26 @@ void check_choice()
   };
   check_says("torus.off", "jets of radius and degree chosen for each vertex, Monge forms of degree 2: 2400 estimated");
   check_says("torus.off", "noise of points, along the normal: ");
+  check_says("torus.off", "chosen degrees: ");
   Mesh mesh = read_ply("choice.ply");
-  const auto k1 = property<float>(mesh, "k1"), bias = property<float>(mesh, "bias");
+  const auto k1 = property<float>(mesh, "k1"), bias = property<float>(mesh, "bias"),
+             radius = property<float>(mesh, "radius"), degree = property<float>(mesh, "degree");
   double square_sum = 0;
   for (Vertex v : mesh.vertices()) {
     const Kernel::Point_3& p = mesh.point(v);
     const double rho = std::hypot(p.x(), p.y()), truth = (2 - rho) / rho; // of a tube of radius 1 around one of 2
     square_sum += (k1[v] - truth) * (k1[v] - truth);
     test::check_true(bias[v] >= 0, "an estimate of the bias at each vertex");
+    test::check_true(radius[v] > 0.1 && radius[v] < 2, "a radius at each vertex");
+    test::check_true(degree[v] == 2 || degree[v] == 4 || degree[v] == 6, "a degree at each vertex");
   }
   // -d 2, the fixed choice, has 0.0145 on this mesh without noise
   test::check_le(std::sqrt(square_sum / double(mesh.number_of_vertices())), 0.03, "RMS error of k1, automatic choice");
+  test::check_equal(run("torus.off -q -o radius.ply --color radius --picture radius.pov").exit_code, 0, "a picture");
+  mesh = read_ply("radius.ply");
+  const auto colored = property<float>(mesh, "quality"), chosen = property<float>(mesh, "radius");
+  for (Vertex v : mesh.vertices()) test::check_equal(colored[v], chosen[v], "colored by the chosen radius");
+  test::check_true(contents("radius.pov").find("chosen radius") != std::string::npos, "its legend");
   check_says("torus.off -d 2", "jets of degree 2 from rings up to 12 points");
   check_says("torus.off -m 3", "not chosen from the data: the order of the Monge form is above 2");
   check_says("torus.off --ridges crest", "not chosen from the data: ridges need derivatives of curvatures");

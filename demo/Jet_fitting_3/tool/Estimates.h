@@ -27,9 +27,9 @@ struct Estimates
   std::vector<Monge_form> forms;
   std::vector<CGAL::Jet_fitting::Estimation_status> statuses;
   std::vector<float> numbers_of_points, condition_numbers, residuals;
-  std::vector<float> biases, deviations, radii;    // of an automatic choice
-  std::vector<std::vector<float>> standard_errors; // one for each coefficient, if asked for
-  std::vector<std::size_t> sides;                  // of the corners of faces, by halfedge
+  std::vector<float> biases, deviations, radii, degrees; // of an automatic choice
+  std::vector<std::vector<float>> standard_errors;       // one for each coefficient, if asked for
+  std::vector<std::size_t> sides;                        // of the corners of faces, by halfedge
   Summary summary;
 
   std::size_t size() const { return forms.size(); }

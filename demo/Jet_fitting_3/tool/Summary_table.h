@@ -95,7 +95,10 @@ public:
     }
     m_out << ", Monge forms of degree " << a.degree_monge << ": " << estimated << " estimated, "
           << estimates.size() - estimated << " left out\n";
-    if (a.is_automatic) add_noise(estimates.summary.noise, a.options.use_normals);
+    if (a.is_automatic) {
+      add_noise(estimates.summary.noise, a.options.use_normals);
+      add_degrees(estimates.summary);
+    }
     add_flags(estimates);
   }
 
@@ -165,6 +168,18 @@ private:
   {
     print("noise of points, along the normal: %.4g +- %.2g", noise.position, noise.position_error);
     if (of_normals) print("; of normals, in radians: %.4g +- %.2g", noise.normal, noise.normal_error);
+    m_out << '\n';
+  }
+
+  void add_degrees(const Summary& summary)
+  {
+    m_out << "chosen degrees:";
+    const char* separator = " ";
+    for (std::size_t degree = 1; degree <= 8; ++degree)
+      if (const std::size_t count = summary.count_of_degree(degree); count > 0) {
+        m_out << separator << degree << " for " << count;
+        separator = ", ";
+      }
     m_out << '\n';
   }
 

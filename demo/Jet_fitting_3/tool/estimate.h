@@ -34,7 +34,7 @@ inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& e
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::size_t size = estimates.size();
   for (auto* column : {&estimates.numbers_of_points, &estimates.condition_numbers, &estimates.residuals,
-                       &estimates.biases, &estimates.deviations, &estimates.radii})
+                       &estimates.biases, &estimates.deviations, &estimates.radii, &estimates.degrees})
     column->assign(size, nan);
   for (std::size_t v = 0; v < size; ++v) {
     const auto status = estimates.summary.status(v);
@@ -47,6 +47,7 @@ inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& e
     estimates.biases[v] = static_cast<float>(quality.scale.bias);
     estimates.deviations[v] = static_cast<float>(quality.scale.standard_deviation);
     estimates.radii[v] = static_cast<float>(quality.scale.radius);
+    estimates.degrees[v] = static_cast<float>(quality.scale.degree);
     if (!options.standard_errors) continue;
     const auto& errors = quality.standard_errors.coefficients;
     if (errors.size() > estimates.standard_errors.size())

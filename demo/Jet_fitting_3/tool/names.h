@@ -67,7 +67,8 @@ inline std::vector<Name> names_of_numbers(const Arguments& a)
   if (a.is_automatic) {
     names.push_back({"bias", "estimated bias of the curvatures", -1});
     names.push_back({"deviation", "estimated standard deviation of the curvatures by noise", -1});
-    if (a.of_points) names.push_back({"radius", "chosen radius", 1});
+    names.push_back({"radius", "chosen radius", 1});
+    names.push_back({"degree", "chosen degree", 0});
   } else if (a.options.report_quality) {
     names.push_back({"condition_number", "condition number", 0});
     names.push_back({"residual", "root mean square of residuals", 1});

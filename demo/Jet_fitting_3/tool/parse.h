@@ -175,7 +175,7 @@ public:
       ("directions", files(), "principal directions as line segments: ply, obj, vtp")
       ("direction", word("max|min", "max"), "which, in files and pictures")
       ("color,c", po::value<std::string>()->value_name("quantity"),
-       "color by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, condition_number, ...; or none. H, but none where "
+       "color by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, radius, condition_number, ...; or none. H, but none where "
        "ridges are drawn")
       ("percentile", number(2, "2"), "the range of colors leaves out this percentage of the vertices at either end");
     ridges.add_options()
@@ -379,7 +379,7 @@ private:
     if (given.count("color") != 0) a.color = given["color"].as<std::string>();
     else if (a.finds_ridges || a.degree_monge < 2) a.color = "none";
     Arguments automatic = a; // before it is known whether the input allows for it
-    automatic.is_automatic = automatic.of_points = a.leaves_choice;
+    automatic.is_automatic = a.leaves_choice;
     if (!has_color(a)) check_color(automatic);
     a.percentile = given["percentile"].as<double>();
     if (!(a.percentile >= 0 && a.percentile < 50)) throw Usage_error("--percentile must be in [0, 50)");

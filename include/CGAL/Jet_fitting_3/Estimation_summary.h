@@ -8,13 +8,16 @@
 #define CGAL_JET_FITTING_3_ESTIMATION_SUMMARY_H
 
 #include <CGAL/Jet_fitting_3/Estimation_status.h>
+#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 #include <CGAL/Jet_fitting_3/values/Standard_errors.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,10 +26,11 @@ namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Results
 /// What automatic() chose for the principal curvatures at a point; all zero with other neighborhoods. Of the two
-/// curvatures, which choose for themselves, the larger degree, and roots of mean squares.
+/// curvatures, which choose for themselves, the larger degree, and roots of mean squares. On meshes a curvature is a mean
+/// of fits: of their radii by weight the root of the mean square, and the degree that has most of the weight.
 struct Chosen_scale
 {
-  double radius = 0;             ///< length
+  double radius = 0;             ///< length; on meshes of disks, or of disks of the area of ellipses
   std::size_t degree = 0;        ///< of the jet
   double bias = 0;               ///< as estimated, 1/length
   double standard_deviation = 0; ///< by noise, as estimated, 1/length
@@ -73,6 +77,32 @@ public:
     const Estimation_summary* m_summary;
   };
 
+  /// A readable property map from Item to a number of its Chosen_scale, 0 where none was chosen. It refers to the
+  /// summary, which must outlive it.
+  template <class Number>
+  class Scale_map
+  {
+  public:
+    /// @{
+    /// The types of the map; its construction and its value at an item.
+    using key_type = Item;
+    using value_type = Number;
+    using reference = Number;
+    using category = boost::readable_property_map_tag;
+
+    Scale_map(const Estimation_summary& summary, Number Chosen_scale::*number) : m_summary(&summary), m_number(number)
+    {}
+    friend Number get(const Scale_map& map, const Item& item)
+    {
+      return map.m_summary->quality(item).scale.*map.m_number;
+    }
+    /// @}
+
+  private:
+    const Estimation_summary* m_summary;
+    Number Chosen_scale::*m_number;
+  };
+
   std::size_t estimated = 0; ///< number of items with a form
   std::size_t skipped = 0;   ///< number of items without, their forms are empty
   bool cancelled =
@@ -104,6 +134,36 @@ public:
   {
     const std::size_t i = m_number_of ? m_number_of(item) : m_qualities.size();
     return i < m_qualities.size() ? m_qualities[i] : Fit_quality();
+  }
+
+  /// @{
+  /// What automatic() chose, and the errors that it expects of the principal curvatures, as property maps.
+  Scale_map<double> radius_map() const { return {*this, &Chosen_scale::radius}; }
+  Scale_map<std::size_t> degree_map() const { return {*this, &Chosen_scale::degree}; }
+  Scale_map<double> bias_map() const { return {*this, &Chosen_scale::bias}; }
+  Scale_map<double> standard_deviation_map() const { return {*this, &Chosen_scale::standard_deviation}; }
+  /// @}
+
+  /// The radius below which the part p of those lies that automatic() chose; 0 if it chose none.
+  /// \throw Invalid_input unless p is in [0, 1]
+  double radius_quantile(double p) const
+  {
+    if (!(p >= 0 && p <= 1)) throw Invalid_input("radius_quantile() needs p in [0, 1]: got " + std::to_string(p));
+    std::vector<double> radii;
+    for (const Fit_quality& quality : m_qualities)
+      if (quality.scale.degree > 0) radii.push_back(quality.scale.radius);
+    if (radii.empty()) return 0;
+    const auto nth = radii.begin() + static_cast<std::ptrdiff_t>(p * double(radii.size() - 1) + 0.5);
+    std::nth_element(radii.begin(), nth, radii.end());
+    return *nth;
+  }
+
+  /// For how many items automatic() chose this degree.
+  std::size_t count_of_degree(std::size_t degree) const
+  {
+    return std::size_t(std::count_if(m_qualities.begin(), m_qualities.end(), [degree](const Fit_quality& quality) {
+      return degree > 0 && quality.scale.degree == degree;
+    }));
   }
 
   /// For the functions that estimate. There may be no qualities. items are all of them in their order, number_of(item)

@@ -282,6 +282,26 @@ struct Choice
   double risk() const { return variance + squared_bias; }
 };
 
+/// What a choice is a mean of.
+struct Mean_scale
+{
+  double square_of_radius = 0; ///< in the mean
+  std::size_t degree = 0;      ///< the one with most of the weight
+};
+
+inline Mean_scale mean_scale(const Choice& choice, const Ladder& ladder)
+{
+  Mean_scale mean;
+  std::vector<double> weights(ladder.degrees.size());
+  for (std::size_t c = 0; c < choice.weights.size(); ++c) {
+    const double r = ladder.radii[ladder.shell(c)];
+    mean.square_of_radius += choice.weights[c] * r * r;
+    weights[c / ladder.radii.size()] += choice.weights[c];
+  }
+  mean.degree = ladder.degrees[std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin())];
+  return mean;
+}
+
 /// Weights with the least expected squared error. None if there is no candidate.
 inline Choice choose(const Candidates& candidates, const Bias_model& model, const Target& target,
                      double square_of_noise)

@@ -34,6 +34,8 @@ struct Second_order_estimate
   double xx = 0, xy = 0, yy = 0; ///< in 1 / length
   double variance = 0;           ///< of (xx, sqrt(2) xy, yy), summed
   double squared_bias = 0;       ///< estimated, likewise
+  double radius = 0;             ///< the root of the mean square of those of xx and yy
+  std::size_t degree = 0;        ///< the larger one of xx and yy
   std::array<Choice, 4> choices; ///< for xx, sqrt(2) xy, yy in principal axes, and for all: weights of the candidates
   bool exists = false;
 };
@@ -122,6 +124,7 @@ public:
       for (Candidate& candidate : own) candidate = turned(candidate, cosine, sine);
       refine(walker, i, place, around, {std::move(own)}, q, result);
     }
+    set_scale(result);
     result.xx = q[0] / m_unit;
     result.xy = std::sqrt(0.5) * q[1] / m_unit;
     result.yy = q[2] / m_unit;
@@ -343,6 +346,18 @@ private:
       result.squared_bias += choice.squared_bias;
       result.choices[t] = std::move(choice);
     }
+  }
+
+  void set_scale(Second_order_estimate& e) const
+  {
+    double square = 0;
+    for (const std::size_t target : {0, 2}) {
+      const Choice& choice = e.choices[target].exists() ? e.choices[target] : e.choices[all];
+      const Mean_scale mean = mean_scale(choice, m_ladder);
+      square += mean.square_of_radius / 2;
+      e.degree = std::max(e.degree, mean.degree);
+    }
+    e.radius = m_unit * std::sqrt(square);
   }
 
   static Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)

@@ -215,6 +215,8 @@ private:
     e.fit.jet = chosen.jet;
     set_monge_form(e, dprime);
     Chosen_scale scale;
+    scale.radius = chosen.second.radius;
+    scale.degree = chosen.second.degree;
     scale.bias = std::sqrt(chosen.second.squared_bias / 2);
     scale.standard_deviation = std::sqrt(chosen.second.variance / 2);
     scale.third_order_error = std::sqrt(chosen.third_order_risk);
