@@ -15,6 +15,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -35,6 +36,10 @@ struct Chosen_scale
   double bias = 0;               ///< as estimated, 1/length
   double standard_deviation = 0; ///< by noise, as estimated, 1/length
 
+  /// Standard errors of k1 and of k2, 1/length, that contain noise and bias: k +- 1.96 error is meant to hold the truth in
+  /// 95 of 100 cases. Of point sets; 0 on meshes.
+  std::array<double, 2> curvature_errors{};
+
   /// Of a third order coefficient, the root of squared bias and variance, as estimated, 1/length^2; 0 if none was
   /// chosen for: below degree 3, and on point sets.
   double third_order_error = 0;
@@ -49,6 +54,13 @@ struct Fit_quality
   double residual_rms = 0;                 ///< length
   Standard_errors<double> standard_errors; ///< of the form as it was written, if asked for
   Chosen_scale scale;                      ///< of automatic()
+
+  /// That of the form after the turn of Monge_form::comply_wrt_given_normal().
+  void turn()
+  {
+    standard_errors.turn();
+    std::swap(scale.curvature_errors[0], scale.curvature_errors[1]);
+  }
 };
 
 /// \ingroup PkgJetFitting3Results

@@ -185,7 +185,7 @@ private:
     const bool stands_for_sample = estimation().tables().samples.tree().number(s) == i;
     if (!stands_for_sample && result.status.is_estimated() &&
         internal::turn_to(result.form, estimation().normals_of_points()[i]))
-      result.quality.standard_errors.turn();
+      result.quality.turn();
     return result;
   }
 

@@ -90,7 +90,7 @@ public:
     scale.frame = local.frame;
     scale.is_chosen = false;
     for (Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]})
-      *c = {m_ladder.radii[rungs - 1], rungs - 1, 2, unknown, unknown};
+      *c = {m_ladder.radii[rungs - 1], rungs - 1, 2, unknown, unknown, 0};
     return scale;
   }
 

@@ -32,12 +32,23 @@ constexpr double variance_factor = 1.2; ///< noise along the surface, and of the
 constexpr double clip = 400;            ///< a difference counts for so many variances at most
 constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
 constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
+constexpr double bias_factor = 9;       ///< of a squared bias in an interval: it is known to a factor of 3 or so
+constexpr double hidden = 0.3;          ///< what a bias may add to the variance in an interval, without evidence
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// Estimated squares of the bias of one target: [degree - 2][rung].
-using Bias_of_target = std::array<std::vector<double>, 3>;
+/// An estimated square of a bias. There are always estimates, also where no bias shows.
+struct Squared_bias
+{
+  double value = unknown;
+
+  /// By how many standard errors a bias shows, at this radius or a larger one, of any degree.
+  double evidence = 0;
+};
+
+/// Of one target: [degree - 2][rung].
+using Bias_of_target = std::array<std::vector<Squared_bias>, 3>;
 
 /// Of all targets.
 using Bias_table = std::array<Bias_of_target, number_of_targets>;
@@ -103,10 +114,10 @@ private:
   std::size_t m_target;
 };
 
-/// Bias at one rung: what is proved, and what is likely.
+/// Bias at one rung: what is proved, what is likely, and by how many standard errors it shows.
 struct Bias_bounds
 {
-  double least = 0, likely = unknown;
+  double least = 0, likely = unknown, evidence = 0;
 };
 
 /// A degree of 2 or 3 is compared with degree 4 in its own ball; degree 4 with itself in the next smaller ball, whose
@@ -120,6 +131,7 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
     const Estimated e = statistics.squared_bias(degree, j, k);
     if (!(e.error < unknown)) continue;
     bounds.least = std::max(bounds.least, e.value - constant::certain * e.error);
+    if (e.error > 0) bounds.evidence = std::max(bounds.evidence, e.value / e.error);
     if (k + 1 < end) continue;
     bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
     if (degree == 4) bounds.likely /= std::pow(1 - std::pow(ladder_step, -4), 2);
@@ -131,17 +143,33 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
 /// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
 /// with r^4 for degree 2. For higher degrees, too, one counts on no more, but for the normal, as balls may be as large
 /// as what they are on.
-inline std::vector<double> pooled_bias(const std::vector<Bias_bounds>& bounds, const Ladder& ladder, double exponent)
+inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bounds, const Ladder& ladder,
+                                             double exponent)
 {
-  std::vector<double> result(bounds.size(), unknown);
+  std::vector<Squared_bias> result(bounds.size());
   for (std::size_t j = ladder.first; j < bounds.size(); ++j) {
+    double& value = result[j].value;
     for (std::size_t l = j; l < bounds.size(); ++l) {
-      result[j] = std::min(result[j], std::pow(ladder.radii[j] / ladder.radii[l], exponent) * bounds[l].likely);
+      value = std::min(value, std::pow(ladder.radii[j] / ladder.radii[l], exponent) * bounds[l].likely);
       if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
     }
-    result[j] = std::max(bounds[j].least, result[j] < unknown ? result[j] : 0);
+    value = std::max(bounds[j].least, value < unknown ? value : 0);
+    for (std::size_t l = j; l < bounds.size(); ++l)
+      result[j].evidence = std::max(result[j].evidence, bounds[l].evidence);
   }
   return result;
+}
+
+/// What one degree shows the others have, too.
+inline void share_evidence(Bias_of_target& of_degrees)
+{
+  std::vector<double> most;
+  for (const std::vector<Squared_bias>& biases : of_degrees) {
+    most.resize(std::max(most.size(), biases.size()));
+    for (std::size_t j = 0; j < biases.size(); ++j) most[j] = std::max(most[j], biases[j].evidence);
+  }
+  for (std::vector<Squared_bias>& biases : of_degrees)
+    for (std::size_t j = 0; j < biases.size(); ++j) biases[j].evidence = most[j];
 }
 
 /// The table of a patch.
@@ -157,6 +185,7 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
         bounds[j] = bias_bounds(statistics, ladder, degree, j);
       table[target][degree - 2] = pooled_bias(bounds, ladder, target == 0 && degree == 4 ? 8 : 4);
     }
+    share_evidence(table[target]);
   }
   return table;
 }

@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct Estimate_at_scale
   Vector_3<double> origin;                 ///< on the surface, relative to the point, in world axes
   Basis_3<double> monge_axes;              ///< d1, d2, n, in world axes; n to the side of the normals if there are any
   Monge_coefficients<double> coefficients; ///< in the unit of the points
+  std::array<double, 2> curvature_errors;  ///< standard errors of k1, k2, bias included
 };
 
 /// \ingroup PkgJetFitting3Choice
@@ -68,6 +70,7 @@ public:
     e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
     e.coefficients = monge_coefficients(jet, monge, order);
+    e.curvature_errors = scale::curvature_errors(e.choice, monge, noise().normal);
     return e;
   }
 

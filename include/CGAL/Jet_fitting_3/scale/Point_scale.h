@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Bias_table.h>
+#include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
 #include <algorithm>
@@ -27,7 +28,17 @@ struct Choice
   double radius = 0;
   std::size_t rung = 0, degree = 2;
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
+  double evidence = 0;                   ///< of the bias, see Squared_bias
 };
+
+/// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all there
+/// is they are as large as the noise: without evidence they count for little.
+inline double squared_error(const Choice& choice)
+{
+  const double evidence = std::max(0., choice.evidence - 1);
+  return choice.variance + std::min(constant::bias_factor * choice.squared_bias,
+                                    choice.variance * (constant::hidden + evidence * evidence));
+}
 
 /// What was chosen at a point, all in one frame, whose x axis is the pilot's principal direction of the larger
 /// curvature, so that jets of different fits can be put together.
@@ -51,10 +62,11 @@ inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::s
   for (std::size_t j = ladder.first; j < local.candidates.size(); ++j)
     for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
       if (!is_candidate(target, degree) || local.candidates[j].size < least_neighbors_of(degree)) continue;
-      const double v = variance(local.candidates[j].of_degree(degree), target), b = bias[degree - 2][j];
-      if (!(b + v < least)) continue;
-      least = b + v;
-      choice = {ladder.radii[j], j, degree, b, v};
+      const double v = variance(local.candidates[j].of_degree(degree), target);
+      const Squared_bias& b = bias[degree - 2][j];
+      if (!(b.value + v < least)) continue;
+      least = b.value + v;
+      choice = {ladder.radii[j], j, degree, b.value, v, b.evidence};
     }
   return least < unknown;
 }
@@ -87,6 +99,20 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
     scale.is_chosen = choose(local, table[target], target, ladder, scale.curvatures[target - 1]) && scale.is_chosen;
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;
+}
+
+/// The standard errors of the principal curvatures, bias included. Noise of normals has an effect of about its square on
+/// the size of gradients, beside which theirs by chance may be small.
+inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Monge_basis<double>& monge,
+                                              double normal_noise)
+{
+  if (!scale.is_chosen) return {unknown, unknown};
+  const auto error = [&](const Vector_3<double>& d, double k) {
+    const double xx = d.x * d.x / (d.x * d.x + d.y * d.y), yy = 1 - xx, shrunk = normal_noise * normal_noise * k;
+    return std::sqrt(xx * xx * squared_error(scale.curvatures[0]) + 2 * xx * yy * squared_error(scale.curvatures[1]) +
+                     yy * yy * squared_error(scale.curvatures[2]) + shrunk * shrunk);
+  };
+  return {error(monge.axes.x, monge.k1), error(monge.axes.y, monge.k2)};
 }
 
 /// The largest rung that was chosen.

@@ -146,15 +146,20 @@ private:
     e.monge_axes = chosen.monge_axes;
     e.coefficients = chosen.coefficients;
     e.coefficients.resize(number_of_monge_coefficients(dprime));
-    set_automatic_result(result, m_points, i, e, of_curvatures(chosen.choice), m_learned->per_length());
+    set_automatic_result(result, m_points, i, e, of_curvatures(chosen), m_learned->per_length());
   }
 
   /// The root of the mean of the squares of the radii, and the like, over the two curvatures.
-  static Chosen_scale of_curvatures(const scale::Point_scale& chosen)
+  static Chosen_scale of_curvatures(const scale::Estimate_at_scale& e)
   {
-    const scale::Choice &x = chosen.curvatures[0], &y = chosen.curvatures[2];
-    return {std::sqrt((x.radius * x.radius + y.radius * y.radius) / 2), (std::max)(x.degree, y.degree),
-            std::sqrt((x.squared_bias + y.squared_bias) / 2), std::sqrt((x.variance + y.variance) / 2)};
+    const scale::Choice &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
+    Chosen_scale chosen;
+    chosen.radius = std::sqrt((x.radius * x.radius + y.radius * y.radius) / 2);
+    chosen.degree = (std::max)(x.degree, y.degree);
+    chosen.bias = std::sqrt((x.squared_bias + y.squared_bias) / 2);
+    chosen.standard_deviation = std::sqrt((x.variance + y.variance) / 2);
+    chosen.curvature_errors = e.curvature_errors;
+    return chosen;
   }
 
   const Point_table<Kernel>& m_points;

