@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/internal/fitting/Kept_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
@@ -22,12 +21,20 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The forms of the nodes of a cut mesh.
+/// The forms of the nodes of a cut mesh, as they come.
 template <class Kernel>
-class Side_forms : public Kept_forms<Kernel>
+class Side_forms
 {
 public:
-  using Kept_forms<Kernel>::Kept_forms;
+  explicit Side_forms(std::size_t size) : m_forms(size) {}
+
+  /// As estimate_blocks() writes.
+  template <class Report>
+  void operator()(const Estimated_block<Kernel>& block, const Report& report)
+  {
+    for (std::size_t i = 0; i < block.results.size(); ++i) m_forms[block.first + i] = block.results[i].form;
+    report(block);
+  }
 
   /// Hands the forms out in the order of the sides, up to the first that was not reached.
   /// \return the reports in that order
@@ -47,7 +54,7 @@ public:
   }
 
 private:
-  using Kept_forms<Kernel>::m_forms;
+  std::vector<Monge_form<Kernel>> m_forms;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
