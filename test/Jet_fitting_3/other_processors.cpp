@@ -34,13 +34,13 @@ using namespace test;
 using CGAL::Jet_fitting::k_rings;
 using CGAL::Jet_fitting::nearest;
 
-const Analytic_mesh surface = torus(2, 0.7, 48, 24);
+const Analytic_mesh sampled = torus(2, 0.7, 48, 24);
 
 template <class Form>
 double error_of(const Form& form, const Point& p)
 {
   if (form.coefficients().empty()) return 1e9;
-  const Curvatures truth = surface.truth(p);
+  const Curvatures truth = sampled.truth(p);
   const auto n = form.normal_direction();
   const bool is_turned = n.x() * truth.normal.x + n.y() * truth.normal.y + n.z() * truth.normal.z < 0;
   const double k1 = form.principal_curvatures(is_turned ? 1 : 0), k2 = form.principal_curvatures(is_turned ? 0 : 1),
@@ -57,17 +57,17 @@ void forms(const std::string& what)
   using Point_3 = typename Kernel::Point_3;
   using Form = typename CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
   CGAL::Surface_mesh<Point_3> mesh;
-  build(surface, mesh);
-  std::vector<Form> of_mesh(surface.points.size()), of_points;
+  build(sampled, mesh);
+  std::vector<Form> of_mesh(sampled.points.size()), of_points;
   const auto degree = CGAL::parameters::degree_fitting(4);
   CGAL::estimate_vertex_monge_forms(mesh, k_rings(3), CGAL::make_property_map(of_mesh), degree);
   std::vector<Point_3> points;
-  for (const Point& p : surface.points) points.emplace_back(FT(p.x), FT(p.y), FT(p.z));
+  for (const Point& p : sampled.points) points.emplace_back(FT(p.x), FT(p.y), FT(p.z));
   CGAL::estimate_point_monge_forms(points, nearest(37), std::back_inserter(of_points), degree);
   double of_rings = 0, of_nearest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    of_rings = std::max(of_rings, error_of(of_mesh[i], surface.points[i]));
-    of_nearest = std::max(of_nearest, error_of(of_points[i], surface.points[i]));
+    of_rings = std::max(of_rings, error_of(of_mesh[i], sampled.points[i]));
+    of_nearest = std::max(of_nearest, error_of(of_points[i], sampled.points[i]));
   }
   check_near(of_rings, 0.0503692, 1e-5, what + ": error of curvatures of a mesh");
   check_near(of_nearest, 0.1886386, 1e-5, what + ": error of curvatures of a point set");
@@ -86,11 +86,11 @@ void write_stl(const std::string& file)
     out.write(bytes, sizeof(number));
   };
   out << std::string(80, ' ');
-  put(std::uint32_t(surface.faces.size()));
-  for (const auto& face : surface.faces) {
+  put(std::uint32_t(sampled.faces.size()));
+  for (const auto& face : sampled.faces) {
     for (int i = 0; i < 3; ++i) put(0.f);
     for (const std::size_t corner : face)
-      for (const double x : {surface.points[corner].x, surface.points[corner].y, surface.points[corner].z})
+      for (const double x : {sampled.points[corner].x, sampled.points[corner].y, sampled.points[corner].z})
         put(float(x));
     put(std::uint16_t(0));
   }
@@ -99,7 +99,7 @@ void write_stl(const std::string& file)
 void write_files(const std::filesystem::path& folder)
 {
   tool::Mesh mesh;
-  build(surface, mesh);
+  build(sampled, mesh);
   const std::vector<tool::Quantity> quantities{
       {{"H", "mean curvature", -1}, 1, [](std::size_t v, int) { return written_value(v); }}};
   const std::vector<tool::Color> colors(mesh.number_of_vertices(), tool::Color{{1, 2, 3}});
@@ -115,12 +115,12 @@ void write_files(const std::filesystem::path& folder)
 void read_ply(const std::string& file)
 {
   const tool::Mesh mesh = tool::read_input(file).mesh;
-  check_equal(mesh.number_of_faces(), surface.faces.size(), "faces of the PLY file");
-  if (!check_equal(mesh.number_of_vertices(), surface.points.size(), "points of the PLY file")) return;
+  check_equal(mesh.number_of_faces(), sampled.faces.size(), "faces of the PLY file");
+  if (!check_equal(mesh.number_of_vertices(), sampled.points.size(), "points of the PLY file")) return;
   double farthest = 0;
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  for (std::size_t i = 0; i < sampled.points.size(); ++i)
     for (int c : {0, 1, 2}) {
-      const Point& p = surface.points[i];
+      const Point& p = sampled.points[i];
       const double written = c == 0 ? p.x : c == 1 ? p.y : p.z;
       const tool::Vertex v(static_cast<tool::Mesh::size_type>(i));
       farthest = std::max(farthest, std::abs(mesh.point(v)[c] - written));
@@ -131,15 +131,15 @@ void read_ply(const std::string& file)
 void read_stl(const std::string& file)
 {
   const tool::Mesh mesh = tool::read_input(file).mesh;
-  check_equal(mesh.number_of_faces(), surface.faces.size(), "faces of the STL file");
-  check_equal(mesh.number_of_vertices(), surface.points.size(), "points of the STL file");
+  check_equal(mesh.number_of_faces(), sampled.faces.size(), "faces of the STL file");
+  check_equal(mesh.number_of_vertices(), sampled.points.size(), "points of the STL file");
   double farthest = 0;
   for (const auto v : vertices_around_face(mesh.halfedge(*mesh.faces_begin()), mesh)) {
     double nearest = 1e9;
-    for (const std::size_t i : surface.faces[0])
+    for (const std::size_t i : sampled.faces[0])
       nearest =
-          std::min(nearest, std::hypot(mesh.point(v).x() - surface.points[i].x, mesh.point(v).y() - surface.points[i].y,
-                                       mesh.point(v).z() - surface.points[i].z));
+          std::min(nearest, std::hypot(mesh.point(v).x() - sampled.points[i].x, mesh.point(v).y() - sampled.points[i].y,
+                                       mesh.point(v).z() - sampled.points[i].z));
     farthest = std::max(farthest, nearest);
   }
   check_le(farthest, 1e-6, "distance of the corners of the first face of the STL file from what was written");
@@ -173,7 +173,7 @@ void read_vtp(const std::string& file)
   const auto points = array_of_vtp<double>(bytes, "Points");
   const auto values = array_of_vtp<float>(bytes, "H");
   const auto statuses = array_of_vtp<std::uint16_t>(bytes, "status");
-  const std::size_t n = surface.points.size();
+  const std::size_t n = sampled.points.size();
   check_equal(points.size(), 3 * n, "coordinates of the VTP file");
   check_equal(values.size(), n, "values of the VTP file");
   check_equal(statuses.size(), n, "statuses of the VTP file");
@@ -181,7 +181,7 @@ void read_vtp(const std::string& file)
   double farthest = 0;
   for (std::size_t i = 0; i < n; ++i)
     farthest =
-        std::max({farthest, std::abs(points[3 * i + 1] - surface.points[i].y), std::abs(values[i] - written_value(i))});
+        std::max({farthest, std::abs(points[3 * i + 1] - sampled.points[i].y), std::abs(values[i] - written_value(i))});
   check_le(farthest, 1e-7, "difference of the VTP file from what was written");
   check_equal(statuses.back(), 0x0102, "a status in the VTP file");
 }
