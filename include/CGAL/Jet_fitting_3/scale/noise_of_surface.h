@@ -139,7 +139,7 @@ Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
   });
   Noise noise;
   noise.position = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : {0, 1, 3}) { // the next has one ring more
+  for (const std::size_t k : {std::size_t(0), std::size_t(1), std::size_t(3)}) { // the next has one ring more
     const scale::Estimated_variance own = fits[k].variances.median(surface.points.size()),
                                     larger = fits[k + 1].variances.median(surface.points.size());
     if (!(std::sqrt(own.value) * unit < noise.position)) continue;
