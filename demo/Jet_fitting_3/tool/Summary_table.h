@@ -166,9 +166,19 @@ private:
 
   void add_noise(const CGAL::Jet_fitting::Noise& noise, bool of_normals)
   {
-    print("noise of points, along the normal: %.4g +- %.2g", noise.position, noise.position_error);
-    if (of_normals) print("; of normals, in radians: %.4g +- %.2g", noise.normal, noise.normal_error);
+    m_out << "noise of points, along the normal: ";
+    add_with_error(noise.position, noise.position_error);
+    if (of_normals) {
+      m_out << "; of normals, in radians: ";
+      add_with_error(noise.normal, noise.normal_error);
+    }
     m_out << '\n';
+  }
+
+  void add_with_error(double noise, double error)
+  {
+    if (error < noise) print("%.4g +- %.2g", noise, error);
+    else print("at most %.2g, which the shape itself may be", noise); // as of points without any
   }
 
   void add_degrees(const Summary& summary)
