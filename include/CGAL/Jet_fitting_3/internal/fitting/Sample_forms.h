@@ -187,7 +187,7 @@ private:
     if (!result.quality.empty()) m_reports.qualities[output] = result.quality.front();
     if (!m_places_are_shared || !result.status.is_estimated()) return;
     const bool is_turned = turn_to(m_forms[output], m_normals[m_wanted[output]]);
-    if (is_turned && !result.quality.empty()) m_reports.qualities[output].standard_errors.turn();
+    if (is_turned && !result.quality.empty()) m_reports.qualities[output].turn();
   }
 
   const Wanted& m_wanted;
