@@ -4,14 +4,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is allocated: by a single fit, nothing but the coefficients of the form; by the mesh door, nothing per vertex but
-// the forms, and little memory besides.
+// What is allocated: by a single fit, nothing but the coefficients of the form; for a mesh or a point set, nothing per
+// form but the forms, and little memory besides.
 
 #include "analytic_meshes.h"
 #include "check.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <string>
 #include <vector>
@@ -132,9 +134,43 @@ void mesh_door()
   }
 }
 
+// Before they are written forms are kept as plain numbers, which are given up in pieces of 32 MiB.
+Use use_of_point_door(std::size_t size, std::size_t d)
+{
+  const double golden_angle = 2.399963;
+  std::vector<Kernel::Point_3> points;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double r = std::sqrt(double(i) / double(size)), t = golden_angle * double(i);
+    points.emplace_back(r * std::cos(t), r * std::sin(t), r * r * std::cos(2 * t));
+  }
+  std::vector<Form> forms;
+  forms.reserve(size);
+  const std::size_t before = heap.blocks, bytes_before = heap.bytes;
+  heap.most_bytes = heap.bytes;
+  const auto summary = CGAL::estimate_point_monge_forms(points, nearest(20), std::back_inserter(forms),
+                                                        CGAL::parameters::degree_fitting(d).degree_monge(d));
+  check_equal(summary.estimated, size, "points estimated");
+  const std::size_t coefficients = forms.front().coefficients().size();
+  return {heap.blocks - before,
+          double(heap.most_bytes - bytes_before) - double(size * (12 + coefficients) * sizeof(double))};
+}
+
+void point_door()
+{
+  const std::size_t points = 300000, d = 2;
+  const Use small = use_of_point_door(points, d), large = use_of_point_door(3 * points, d);
+  const std::size_t for_vectors_that_grow = 64;
+  const double bytes = (large.bytes - small.bytes) / double(2 * points);
+  check_le(large.blocks - small.blocks, 2 * points + for_vectors_that_grow, "point door: blocks for more points");
+  check_le(bytes, 100., "point door: bytes for one more point");
+  std::cout << "point door: " << double(large.blocks) / double(3 * points) << " blocks and " << bytes
+            << " bytes a point besides the forms" << std::endl;
+}
+
 int main()
 {
   single_fits();
   mesh_door();
+  point_door();
   return result();
 }

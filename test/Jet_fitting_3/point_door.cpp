@@ -17,6 +17,8 @@
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/property_map.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -148,6 +150,11 @@ void ranges()
     check_ge(outward[i].normal_direction() * (points[i] - CGAL::ORIGIN), 0., "Point_set_3 with normals is oriented");
     check_true(outward[i].coefficients() == same[i].coefficients(), "its normals are found without being named");
   }
+  const auto normals = boost::make_function_property_map<CGAL::Point_set_3<Point_3>::Index>(
+      [&](const auto& i) { return set.point(i) - CGAL::ORIGIN; });
+  const Forms named = forms_of(set, nearest(20), np.normal_map(normals));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    check_true(outward[i].coefficients() == named[i].coefficients(), "normals are named for a set that has none");
   check_equal(forms_of(Points(), nearest(20)).size(), std::size_t(0), "an empty range");
 }
 

@@ -119,7 +119,8 @@ public:
       const auto rows = rows_of(wanted, sample_of);
       const bool has_qualities =
           std::visit([](const auto& estimator) { return estimator.reports_quality(); }, m_estimator);
-      Sample_forms<Kernel, Wanted> forms(wanted, rows, m_tables.samples, sample_of, m_read.normals, has_qualities);
+      Sample_forms<Kernel, Wanted> forms(m_given.dprime, wanted, rows, m_tables.samples, sample_of, m_read.normals,
+                                         has_qualities);
       const Estimation_reports of_rows = estimate_rows<ConcurrencyTag>(rows, make_gatherer, std::ref(forms), progress);
       return forms.write(of_rows, output);
     }

@@ -9,9 +9,9 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/fitting/Packed_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
-#include <CGAL/Jet_fitting_3/internal/machine/prefetch.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
@@ -79,44 +79,6 @@ private:
   const Index* m_outputs;
 };
 
-/// Forms in the order of the output, in pieces: each is given up once it is written, so that there are hardly more forms
-/// at a time than the output has in the end.
-template <class Kernel>
-class Forms_in_pieces
-{
-  static constexpr std::size_t piece_size = 4096;
-
-public:
-  explicit Forms_in_pieces(std::size_t size) : m_pieces((size + piece_size - 1) / piece_size)
-  {
-    for (std::size_t i = 0; i < m_pieces.size(); ++i) m_pieces[i].resize((std::min)(piece_size, size - i * piece_size));
-  }
-
-  Monge_form<Kernel>& operator[](std::size_t i) { return m_pieces[i / piece_size][i % piece_size]; }
-
-  void prefetch(std::size_t i)
-  {
-    const char* const begin = reinterpret_cast<const char*>(&(*this)[i]);
-    const std::size_t cache_line = 64;
-    for (std::size_t j = 0; j < sizeof(Monge_form<Kernel>); j += cache_line) internal::prefetch(begin + j);
-  }
-
-  /// Afterwards there are none. \param count how many are written
-  template <class OutputIterator>
-  void write(std::size_t count, OutputIterator output)
-  {
-    for (std::vector<Monge_form<Kernel>>& piece : m_pieces) {
-      const std::size_t here = (std::min)(count, piece.size());
-      for (std::size_t i = 0; i < here; ++i) *output++ = std::move(piece[i]);
-      std::vector<Monge_form<Kernel>>().swap(piece);
-      count -= here;
-    }
-  }
-
-private:
-  std::vector<std::vector<Monge_form<Kernel>>> m_pieces;
-};
-
 /// Takes the forms of samples, as they come, for the points at their places, each on the side of its normal.
 /// \tparam Wanted the numbers of the points, in the order of the output: All_rows or Some_rows
 template <class Kernel, class Wanted>
@@ -124,16 +86,17 @@ class Sample_forms
 {
 public:
   /// All is kept by reference.
+  /// \param dprime the highest degree of a form
   /// \param seeds of the rows: the number of a sample for each
   template <class Rows, class Number>
-  Sample_forms(const Wanted& wanted, const Rows& seeds, const Sample_set<Number>& samples,
+  Sample_forms(std::size_t dprime, const Wanted& wanted, const Rows& seeds, const Sample_set<Number>& samples,
                const std::vector<Index>& sample_of, const Normal_table& normals_of_points, bool has_qualities)
     : m_wanted(wanted), m_outputs(outputs_of_rows(wanted, seeds, samples, sample_of)), m_normals(normals_of_points),
       m_places_are_shared(!samples.copies().empty()),
-      m_forms(wanted.size()), m_reports{std::vector<Estimation_status>(wanted.size()),
-                                        std::vector<Fit_quality>(has_qualities ? wanted.size() : 0),
-                                        false,
-                                        {}}
+      m_forms(wanted.size(), dprime), m_reports{std::vector<Estimation_status>(wanted.size()),
+                                                std::vector<Fit_quality>(has_qualities ? wanted.size() : 0),
+                                                false,
+                                                {}}
   {
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (sample_of[wanted[i]] == no_index) m_reports.statuses[i] = Status_flag::not_finite;
@@ -182,19 +145,20 @@ private:
   /// The form is on the side of one of the points; where there are others it is turned.
   void set(Index output, const Estimated_form<Kernel>& result)
   {
-    m_forms[output] = result.form;
     m_reports.statuses[output] = result.status;
     if (!result.quality.empty()) m_reports.qualities[output] = result.quality.front();
-    if (!m_places_are_shared || !result.status.is_estimated()) return;
-    const bool is_turned = turn_to(m_forms[output], m_normals[m_wanted[output]]);
+    if (!m_places_are_shared || !result.status.is_estimated()) return m_forms.set(output, result.form);
+    Monge_form<Kernel> form = result.form;
+    const bool is_turned = turn_to(form, m_normals[m_wanted[output]]);
     if (is_turned && !result.quality.empty()) m_reports.qualities[output].turn();
+    m_forms.set(output, form);
   }
 
   const Wanted& m_wanted;
   const Outputs_of_rows m_outputs;
   const Normal_table& m_normals;
   bool m_places_are_shared;
-  Forms_in_pieces<Kernel> m_forms;
+  Packed_forms<Kernel> m_forms;
   Estimation_reports m_reports;
 };
 

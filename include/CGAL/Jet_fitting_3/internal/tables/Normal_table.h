@@ -26,7 +26,7 @@ namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Normals in six bytes each, right to 1/300 of a degree: they tell the two sides of a surface apart.
-/// A normal that is zero or not finite counts as unknown, and is on every side.
+/// A normal that is zero or not finite counts as unknown, and is on every side. In an empty table all are.
 class Normal_table
 {
   struct Packed
@@ -65,26 +65,28 @@ public:
 
   Vector_3<float> operator[](Index i) const
   {
+    if (m_normals.empty()) return {0, 0, 0};
     return {float(m_normals[i].x), float(m_normals[i].y), float(m_normals[i].z)};
   }
 
-  bool is_known(Index i) const { return (m_normals[i].x | m_normals[i].y | m_normals[i].z) != 0; }
+  bool is_known(Index i) const { return !m_normals.empty() && (m_normals[i].x | m_normals[i].y | m_normals[i].z) != 0; }
 
   bool all_are_unknown() const
   {
     return std::none_of(m_normals.begin(), m_normals.end(), [](const Packed& n) { return (n.x | n.y | n.z) != 0; });
   }
 
-  /// The normals order[0], order[1], ...
+  /// The normals order[0], order[1], ...; none if there are none.
   Normal_table reordered(const std::vector<Index>& order) const
   {
     Normal_table result;
-    result.m_normals = internal::reordered(m_normals, order);
+    if (!m_normals.empty()) result.m_normals = internal::reordered(m_normals, order);
     return result;
   }
 
   /// Tells which normals make less than 84 degrees with a direction: a little less than 90, because walls at a right
-  /// angle are no part of a graph over the tangent plane, and must not come and go with rounding.
+  /// angle are no part of a graph over the tangent plane, and must not come and go with rounding. Not to be asked of an
+  /// empty table.
   class Same_side
   {
   public:

@@ -83,7 +83,7 @@ struct Point_set_tables
   using Item = std::size_t;
 
   Point_table<Kernel> points;
-  Normal_table normals; ///< all unknown where the range has none
+  Normal_table normals; ///< empty where the range has none
 
   std::size_t size() const { return points.size(); }
   Item item(Index i) const { return i; }
@@ -107,13 +107,28 @@ auto read_points(const Range& range, const NamedParameters& np)
   return Point_table<Kernel_of_range<Range, NamedParameters>>(Sequential_tag(), Sequential_tag(), size, next_point);
 }
 
+/// Whether there is a map of normals, or may be one.
+template <class Range, class NamedParameters>
+using May_have_normals = std::bool_constant<!std::is_same<
+    decltype(normal_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>())), No_normals>::value>;
+
+/// A range that brings maps has one of normals always, but it may be unset.
+template <class Range, class NamedParameters>
+bool has_normals(const Range& range)
+{
+  if constexpr (Brings_maps<Range>::value &&
+                parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
+    return range.has_normal_map();
+  else return May_have_normals<Range, NamedParameters>::value;
+}
+
 template <class Range, class NamedParameters>
 Normal_table read_normals(const Range& range, const NamedParameters& np, std::size_t size)
 {
-  Normal_table normals(size);
-  if constexpr (!std::is_same<decltype(normal_map_of(range, np)), No_normals>::value) {
-    if constexpr (Brings_maps<Range>::value)
-      if (!range.has_normal_map()) return normals;
+  Normal_table normals;
+  if constexpr (May_have_normals<Range, NamedParameters>::value) {
+    if (!has_normals<Range, NamedParameters>(range)) return normals;
+    normals.resize(size);
     const auto normal_map = normal_map_of(range, np);
     Index i = 0;
     for (const auto& item : range) normals.set(i++, get(normal_map, item));
@@ -121,25 +136,15 @@ Normal_table read_normals(const Range& range, const NamedParameters& np, std::si
   return normals;
 }
 
-/// Whether there is a map of normals, or may be one.
-template <class Range, class NamedParameters>
-using May_have_normals = std::bool_constant<!std::is_same<
-    decltype(normal_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>())), No_normals>::value>;
-
 /// The given normals as data, if there are any.
 template <class Range, class NamedParameters>
 std::optional<Unit_normals> unit_normals_if_any(const Range& range, const NamedParameters& np, std::size_t size)
 {
   if constexpr (May_have_normals<Range, NamedParameters>::value) {
-    bool has_normals = true;
-    if constexpr (Brings_maps<Range>::value)
-      if (parameters::is_default_parameter<NamedParameters, internal_np::normal_t>::value)
-        has_normals = range.has_normal_map();
-    if (has_normals) {
-      const auto normal_map = normal_map_of(range, np);
-      auto item = std::begin(range);
-      return Unit_normals(size, [&](Index) { return get(normal_map, *item++); });
-    }
+    if (!has_normals<Range, NamedParameters>(range)) return std::nullopt;
+    const auto normal_map = normal_map_of(range, np);
+    auto item = std::begin(range);
+    return Unit_normals(size, [&](Index) { return get(normal_map, *item++); });
   }
   return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/select_nth.h>
 
 #include <algorithm>
 #include <array>
@@ -126,10 +127,12 @@ private:
   struct Before
   {
     std::size_t axis;
+    /// One return at the end: so compilers make no jump of the first comparison, which none could foresee.
     bool operator()(const Point& a, const Point& b) const
     {
-      if (a.place[axis] != b.place[axis]) return a.place[axis] < b.place[axis];
-      return a.place != b.place ? a.place < b.place : a.number < b.number;
+      bool result = a.place[axis] < b.place[axis];
+      if (a.place[axis] == b.place[axis]) result = a.place != b.place ? a.place < b.place : a.number < b.number;
+      return result;
     }
   };
 
@@ -141,7 +144,7 @@ private:
     const std::size_t axis = longest_side(box);
     if (level == m_last_level) return build_leaf(points, first, last, axis, distinct);
     const std::size_t middle = begin(level + 1, 2 * j + 1);
-    std::nth_element(points + first, points + middle, points + last, Before{axis});
+    numeric::select_nth(points + first, points + middle, points + last, Before{axis});
     const Place least_on_right = points[middle].place;
     const auto build_child = [&](std::size_t child) { build<ConcurrencyTag>(points, level + 1, child, distinct); };
     if (last - first < 4096) {

@@ -119,7 +119,7 @@ private:
   /// Points at one place.
   static bool is_same(const Normal_table& normals, Index a, Index b)
   {
-    if (normals.is_known(a) != normals.is_known(b)) return false;
+    if (!normals.is_known(a) || !normals.is_known(b)) return normals.is_known(a) == normals.is_known(b);
     return Normal_table::Same_side(normals, normals[a])(b);
   }
 
