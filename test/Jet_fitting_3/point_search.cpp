@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
+#include <CGAL/Jet_fitting_3/numeric/select_nth.h>
 #include <CGAL/tags.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -21,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -342,8 +344,41 @@ void points_elsewhere()
   check_true(rows_of_places({0, 3}) == within, "within a radius with points elsewhere");
 }
 
+// What the tree is built with, against sorting: every n for small ranges, and orders in which samples mislead.
+void selection()
+{
+  std::mt19937 random(5);
+  for (std::size_t size : {0, 1, 2, 3, 247, 248, 249, 500, 20000})
+    for (const std::string order : {"random", "sorted", "reversed", "few values", "organ pipe", "one apart"}) {
+      std::vector<int> values(size);
+      for (std::size_t i = 0; i < size; ++i)
+        values[i] = order == "sorted"       ? int(i)
+                    : order == "reversed"   ? -int(i)
+                    : order == "few values" ? int(random() % 3)
+                    : order == "organ pipe" ? int(std::min(i, size - i))
+                    : order == "one apart"  ? int(i % 645 == 322) // which is what a sample of 20000 sees
+                                            : int(random());
+      std::vector<int> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      for (std::size_t n = 0; n <= size; n += 1 + size / 600) {
+        std::vector<int> selected = values;
+        int* const begin = selected.data();
+        CGAL::Jet_fitting::numeric::select_nth(begin, begin + n, begin + size, std::less<int>());
+        const std::string what = order + ", number " + text(n) + " of " + text(size);
+        if (n < size) check_equal(selected[n], sorted[n], what);
+        const auto is_right = [&](int x) { return n < size && x < sorted[n]; };
+        const auto is_left = [&](int x) { return n < size && x > sorted[n]; };
+        check_true(std::none_of(begin, begin + n, is_left), what + ": before it none is larger");
+        check_true(std::none_of(begin + n, begin + size, is_right), what + ": behind it none is smaller");
+        std::sort(selected.begin(), selected.end());
+        check_true(selected == sorted, what + ": the same values");
+      }
+    }
+}
+
 int main()
 {
+  selection();
   all_of_type<double>("double");
   all_of_type<float>("float");
   far_from_the_origin();

@@ -33,7 +33,7 @@ T* partition_without_jumps(T* first, T* last, const Is_before& is_before)
 
 /// What std::nth_element() does, in two thirds of the time: most elements are put aside by comparison with two from a
 /// sample between which the n-th is likely to be (Floyd and Rivest, Expected time bounds for selection, 1975).
-/// \param before a total order
+/// \param before a strict weak order
 template <class T, class Before>
 void select_nth(T* first, T* nth, T* last, const Before& before)
 {
