@@ -171,8 +171,8 @@ int main()
         const std::string name = surface.name + ", noise " + text(noise) + (with_normals ? ", normals" : "");
         std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
                   << " growth " << found.growth() << std::endl;
-        // wanted are 0.8 everywhere. Not there: umbilics that normals tell apart from nothing, a flat line of order 4
-        const double least = surface.name == "sphere" && with_normals ? 0.4 : 0.65;
+        // wanted are 0.8 everywhere. Not there: where the bias of degree 4 is seen along a flat line, not beside it
+        const double least = surface.name == "trough" ? 0.7 : 0.8;
         for (const int count : {found.held1, found.held2}) {
           const double held = double(count) / found.count;
           check_ge(held, least, name + ": part of the intervals that holds the truth");
@@ -182,6 +182,6 @@ int main()
         if (surface.name == "plane") check_le(found.growth(), 1.15, name + ": growth where noise is all there is");
       }
   std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";
-  check_ge(double(good), 0.75 * cases, "cases in which 90 % of the intervals hold the truth");
+  check_ge(double(good), 0.95 * cases, "cases in which 90 % of the intervals hold the truth");
   return result();
 }

@@ -120,10 +120,22 @@ struct Bias_bounds
   double least = 0, likely = unknown, evidence = 0;
 };
 
+/// The radii of the ladder as far as the balls of a patch grow with them: one that has gone around a closed surface, to
+/// where neighbors are of another side, gains no neighbors, and has the bias of the last.
+inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch, const Ladder& ladder)
+{
+  std::vector<double> result = ladder.radii, sizes(result.size(), 0);
+  for (const Local_ladder* local : patch)
+    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->candidates[j].size;
+  for (std::size_t j = 1; j < sizes.size(); ++j)
+    result[j] = result[j - 1] * (sizes[j - 1] > 0 ? std::min(ladder_step, sizes[j] / sizes[j - 1]) : ladder_step);
+  return result;
+}
+
 /// A degree of 2 or 3 is compared with degree 4 in its own ball; degree 4 with itself in the next smaller ball, whose
 /// bias it shares: of C r^4, a difference of C (r^4 - r_k^4) is seen.
-inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder& ladder, std::size_t degree,
-                               std::size_t j)
+inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder& ladder,
+                               const std::vector<double>& radii, std::size_t degree, std::size_t j)
 {
   Bias_bounds bounds;
   const std::size_t end = degree == 4 ? j : j + 1;
@@ -134,7 +146,7 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
     if (e.error > 0) bounds.evidence = std::max(bounds.evidence, e.value / e.error);
     if (k + 1 < end) continue;
     bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
-    if (degree == 4) bounds.likely /= std::pow(1 - std::pow(ladder_step, -4), 2);
+    if (degree == 4 && bounds.likely > 0) bounds.likely /= std::pow(1 - std::pow(radii[k] / radii[j], 4), 2);
   }
   bounds.likely = std::max(bounds.likely, bounds.least);
   return bounds;
@@ -143,14 +155,14 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
 /// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
 /// with r^4 for degree 2. For higher degrees, too, one counts on no more, but for the normal, as balls may be as large
 /// as what they are on.
-inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bounds, const Ladder& ladder,
-                                             double exponent)
+inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bounds, std::size_t first,
+                                             const std::vector<double>& radii, double exponent)
 {
   std::vector<Squared_bias> result(bounds.size());
-  for (std::size_t j = ladder.first; j < bounds.size(); ++j) {
+  for (std::size_t j = first; j < bounds.size(); ++j) {
     double& value = result[j].value;
     for (std::size_t l = j; l < bounds.size(); ++l) {
-      value = std::min(value, std::pow(ladder.radii[j] / ladder.radii[l], exponent) * bounds[l].likely);
+      value = std::min(value, std::pow(radii[j] / radii[l], exponent) * bounds[l].likely);
       if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
     }
     value = std::max(bounds[j].least, value < unknown ? value : 0);
@@ -176,14 +188,15 @@ inline void share_evidence(Bias_of_target& of_degrees)
 inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder)
 {
   Bias_table table;
+  const std::vector<double> radii = effective_radii(patch, ladder);
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     const Patch_statistics statistics(patch, ladder, target);
     for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
       if (!is_candidate(target, degree)) continue;
       std::vector<Bias_bounds> bounds(ladder.radii.size());
       for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j)
-        bounds[j] = bias_bounds(statistics, ladder, degree, j);
-      table[target][degree - 2] = pooled_bias(bounds, ladder, target == 0 && degree == 4 ? 8 : 4);
+        bounds[j] = bias_bounds(statistics, ladder, radii, degree, j);
+      table[target][degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
     }
     share_evidence(table[target]);
   }

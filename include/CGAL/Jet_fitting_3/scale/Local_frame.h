@@ -51,6 +51,7 @@ inline Basis_3<double> axes_around(const Vector_3<double>& z)
 struct Local_sample
 {
   double u, v, height, slope_u, slope_v;
+  double lever;  ///< the square of what noise of the normal counts for in the height
   double square; ///< of the distance from the origin
   bool is_there; ///< not on another sheet, and its normal known
 };
@@ -59,10 +60,11 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
                                  double normal_factor)
 {
   const Vector_3<double> d = cloud.points[i] - frame.origin, r = per_unit * frame.axes.in(d);
-  Local_sample s{r.x, r.y, r.z, 0, 0, dot(d, d), true};
+  Local_sample s{r.x, r.y, r.z, 0, 0, 0, dot(d, d), true};
   if (!cloud.has_normals()) return s;
   const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
   s.is_there = n.z >= -0.2 && dot(n, n) > 0;
+  s.lever = 0.25 * r.z * r.z * (n.x * n.x + n.y * n.y);
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
   s.slope_v = -normal_factor * n.y;
@@ -95,7 +97,7 @@ inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, factor);
     if (!s.is_there || s.square > radius * radius) continue;
-    if (cloud.has_normals()) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v);
+    if (cloud.has_normals()) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
     else sums.add(s.u, s.v, s.height);
   }
   const Row_weights weights(cloud, noise, radius);

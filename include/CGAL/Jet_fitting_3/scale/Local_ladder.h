@@ -80,7 +80,7 @@ public:
       const Local_sample s = local_sample(cloud, i, frame, 1 / unit, factor);
       if (!s.is_there) continue;
       Shell_sums& shell = candidates[rung_of(s.square, ladder, rungs)];
-      if (cloud.has_normals()) shell.add(s.u, s.v, s.height, s.slope_u, s.slope_v);
+      if (cloud.has_normals()) shell.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
       else if (&shell != &candidates.back()) shell.add(s.u, s.v, s.height);
       if (!references.empty()) add_reference(s, pilot, ladder, rungs);
     }

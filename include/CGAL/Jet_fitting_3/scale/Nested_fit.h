@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Shell_sums.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,7 +30,12 @@ class Nested_fit
 public:
   /// \param height_weight 1 / s^2, in the unit of the sums; 0 leaves out the rows of heights, with them the constant
   /// \param slope_weight 1 / s_n^2, or 0
-  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight) : m_first(height_weight > 0 ? 0 : 1)
+  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight)
+    : m_first(height_weight > 0 ? 0 : 1),
+      m_rows(sums.size() * ((height_weight > 0 ? 1 : 0) + (slope_weight > 0 ? 2 : 0))),
+      m_squares(height_weight * sums.squared_heights + slope_weight * sums.squared_slopes),
+      m_of_heights(sums.levers > 0 && slope_weight > 0 ? 1 + height_weight / slope_weight * sums.levers / sums.size()
+                                                       : 1)
   {
     assemble(sums, height_weight, slope_weight);
     factorize();
@@ -53,6 +59,17 @@ public:
     for (std::size_t k = a < b ? b : a; k < number_of_jet_coefficients(degree); ++k)
       sum += m_inverse[k][a] * m_inverse[k][b];
     return m_scale[a] * m_scale[b] * sum;
+  }
+
+  /// By how much the noise of the samples exceeds that of the weights, as a factor of variances, 1 at least. What the
+  /// surface has beyond the degree is further noise: samples are spread by chance, so it leaks into all coefficients.
+  /// And where the surface leans, the noise of normals is in the heights.
+  double excess(std::size_t degree) const
+  {
+    double squares = m_squares;
+    for (std::size_t k = m_first; k < number_of_jet_coefficients(degree); ++k) squares -= m_right[k] * m_right[k];
+    const double freedom = m_rows - double(number_of_jet_coefficients(degree) - m_first);
+    return std::max(m_of_heights, freedom > 0 ? squares / freedom : 1);
   }
 
 private:
@@ -115,6 +132,8 @@ private:
   }
 
   std::size_t m_first, m_rank;
+  double m_rows, m_squares; // of the right side
+  double m_of_heights;      // by how much the noise of heights exceeds that of their weight
   std::array<double, n> m_scale{}, m_right{};
   std::array<std::array<double, n>, n> m_factor{}, m_inverse{}; // lower triangles
 };

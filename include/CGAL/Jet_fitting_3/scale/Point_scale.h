@@ -29,6 +29,7 @@ struct Choice
   std::size_t rung = 0, degree = 2;
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
   double evidence = 0;                   ///< of the bias, see Squared_bias
+  double excess = 1;                     ///< of the noise, see Nested_fit
 };
 
 /// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all there
@@ -36,8 +37,8 @@ struct Choice
 inline double squared_error(const Choice& choice)
 {
   const double evidence = std::max(0., choice.evidence - 1);
-  return choice.variance + std::min(constant::bias_factor * choice.squared_bias,
-                                    choice.variance * (constant::hidden + evidence * evidence));
+  return choice.excess * choice.variance + std::min(constant::bias_factor * choice.squared_bias,
+                                                    choice.variance * (constant::hidden + evidence * evidence));
 }
 
 /// What was chosen at a point, all in one frame, whose x axis is the pilot's principal direction of the larger
@@ -62,11 +63,12 @@ inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::s
   for (std::size_t j = ladder.first; j < local.candidates.size(); ++j)
     for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
       if (!is_candidate(target, degree) || local.candidates[j].size < least_neighbors_of(degree)) continue;
-      const double v = variance(local.candidates[j].of_degree(degree), target);
+      const Turned_second_order& fit = local.candidates[j].of_degree(degree);
+      const double v = variance(fit, target);
       const Squared_bias& b = bias[degree - 2][j];
       if (!(b.value + v < least)) continue;
       least = b.value + v;
-      choice = {ladder.radii[j], j, degree, b.value, v, b.evidence};
+      choice = {ladder.radii[j], j, degree, b.value, v, b.evidence, fit.excess};
     }
   return least < unknown;
 }

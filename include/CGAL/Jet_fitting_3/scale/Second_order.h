@@ -25,6 +25,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Second_order
 {
   double height = 0; ///< at the origin
+  double excess = 1; ///< of noise in the samples over that of the weights
   std::array<double, 5> value{};
   std::array<std::array<double, 5>, 5> covariance{};
 };
@@ -39,6 +40,7 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
     return result;
   }
   result.height = unit * fit.coefficient(0, degree);
+  result.excess = fit.excess(degree);
   const double factor[] = {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit};
   for (std::size_t a = 0; a < 5; ++a) {
     result.value[a] = factor[a] * fit.coefficient(a + 1, degree);
@@ -51,7 +53,7 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
 /// The values in axes that are turned by an angle from x to y, with the variances of each.
 struct Turned_second_order
 {
-  double height;
+  double height, excess;
   std::array<double, 5> value;
   double slopes_variance;         ///< of both slopes together
   std::array<double, 3> variance; ///< of the second derivatives
@@ -64,6 +66,7 @@ inline Turned_second_order turned(const Second_order& s, double cosine, double s
   const double turn[3][3] = {{c2, cs, s2}, {-cs, c2 - s2, cs}, {s2, -cs, c2}};
   Turned_second_order t;
   t.height = s.height;
+  t.excess = s.excess;
   t.value[0] = cosine * s.value[0] + sine * s.value[1];
   t.value[1] = cosine * s.value[1] - sine * s.value[0];
   t.slopes_variance = s.covariance[0][0] + s.covariance[1][1];

@@ -28,6 +28,8 @@ struct Shell_sums
   /// Of u^i v^j times the slopes.
   std::array<double, number_of_jet_coefficients(highest_degree - 1)> slopes_u{}, slopes_v{};
   /// @}
+  double squared_heights = 0, squared_slopes = 0;
+  double levers = 0; ///< of Local_sample
 
   /// Number of neighbors.
   double size() const { return moments[0]; }
@@ -40,12 +42,14 @@ struct Shell_sums
   }
 
   /// A neighbor whose normal gives the slopes.
-  void add(double u, double v, double height, double slope_u, double slope_v)
+  void add(double u, double v, double height, double slope_u, double slope_v, double lever)
   {
     double m[number_of_jet_coefficients(2 * highest_degree)];
     add(u, v, height, m);
     for (std::size_t k = 0; k < slopes_u.size(); ++k) slopes_u[k] += slope_u * m[k];
     for (std::size_t k = 0; k < slopes_v.size(); ++k) slopes_v[k] += slope_v * m[k];
+    levers += lever;
+    squared_slopes += slope_u * slope_u + slope_v * slope_v;
   }
 
   /// All neighbors of another shell.
@@ -58,6 +62,9 @@ struct Shell_sums
     add_all(heights, other.heights);
     add_all(slopes_u, other.slopes_u);
     add_all(slopes_v, other.slopes_v);
+    squared_heights += other.squared_heights;
+    levers += other.levers;
+    squared_slopes += other.squared_slopes;
     return *this;
   }
 
@@ -67,6 +74,7 @@ private:
     monomials<2 * highest_degree>(u, v, m);
     for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
     for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
+    squared_heights += height * height;
   }
 };
 

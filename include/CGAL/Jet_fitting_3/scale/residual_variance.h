@@ -79,7 +79,7 @@ inline double residual_variance(const Cloud& cloud, const Indices& near, const L
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, 1);
     if (!s.is_there) continue;
     samples.push_back(s);
-    sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v);
+    sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
   }
   const Nested_fit fit(sums, of_slopes ? 0 : 1, of_slopes ? 1 : 0);
   const double unknowns = number_of_unknowns,
