@@ -177,7 +177,8 @@ public:
   void iterate(std::size_t columns, Loss loss, double tolerance, double scale_tolerance, int most_rounds)
   {
     const FT per_weight = FT(1) / weight_of_residual(FT(0), loss);
-    const FT few(0.25); // below, the matrix of the last round is as good
+    const FT few(0.25);                                       // below, the matrix of the last round is as good
+    const FT length(loss == Loss::least_absolute ? 1.5 : 1.); // the weights of this one make short steps
     Mask is_active = FT(0) < FT(1);
     for (int round = 0; round < most_rounds; ++round) {
       const FT last_scale = m_scale;
@@ -187,7 +188,7 @@ public:
       if (!numeric::any(is_active)) return;
       if (round == 0) compute_matrix(columns, is_active);
       else compute_matrix(columns, is_active & (change > few));
-      step(columns, is_active);
+      step(columns, is_active, length);
     }
   }
 
@@ -196,7 +197,7 @@ public:
   {
     const Mask is_active = FT(0) < FT(1);
     compute_matrix(columns, is_active);
-    step(columns, is_active);
+    step(columns, is_active, FT(1));
   }
 
 private:
@@ -257,8 +258,9 @@ private:
     take(factors.inverses, m_matrix.inverses);
   }
 
-  /// One step towards the minimum over the span of the first columns, in active lanes.
-  void step(std::size_t columns, const Mask& is_active)
+  /// One step towards the minimum over the span of the first columns, in active lanes. A length of 1 leads to the
+  /// minimum for the weights as they are.
+  void step(std::size_t columns, const Mask& is_active, const FT& length)
   {
     numeric::Buffer<FT, 45> change;
     change.resize(columns);
@@ -267,7 +269,7 @@ private:
     numeric::inner_products(m_scratch.data(), rows(), columns, m_basis.column(0), change.data());
     numeric::solve(m_matrix, change.data());
     for (std::size_t k = 0; k < columns; ++k)
-      add_multiple(numeric::select(is_active, FT(-change[k]), FT(0)), m_basis.column(k), residual);
+      add_multiple(numeric::select(is_active, FT(-length * change[k]), FT(0)), m_basis.column(k), residual);
   }
 
   void multiply(const FT* a, const FT* b)
@@ -290,8 +292,8 @@ private:
 /// The more coefficients, the better a fit can follow outliers and hide them. So the weights are first found for a
 /// quadric and the sum of absolute residuals, of which outliers can hardly make a minimum; only then the loss and the
 /// degree that were asked for take over. Tukey's loss, which has other minima far from the best, follows after
-/// Cauchy's. The first stages end when the scale has settled to 5 and 10 %, the last when no weight changes by more
-/// than a hundredth. The solver is called once, with the weights that were found.
+/// Cauchy's. The first stages end when the scale has settled to 10 %, the last when no weight changes by more than a
+/// hundredth, or for the absolute loss the scale by 4 %. The solver is called once, with the weights that were found.
 template <class FT, class Solver>
 Jet_fit<FT> fit_jet_robustly(const Samples<FT>& samples, const Basis_3<FT>& basis, std::size_t degree, Loss loss,
                              Solver& solve)
@@ -300,10 +302,10 @@ Jet_fit<FT> fit_jet_robustly(const Samples<FT>& samples, const Basis_3<FT>& basi
   const std::size_t quadric = number_of_jet_coefficients((std::min)(degree, std::size_t(2))),
                     all = number_of_jet_coefficients(degree);
   Reweighting<FT> reweighting(samples, h, degree, quadric);
-  reweighting.iterate(quadric, Loss::least_absolute, 0, 0.05, 8);
+  reweighting.iterate(quadric, Loss::least_absolute, 0, 0.1, 8);
   reweighting.fit(all);
   if (loss == Loss::tukey) reweighting.iterate(all, Loss::cauchy, 0, 0.1, 5);
-  reweighting.iterate(all, loss, 0.01, 0, loss == Loss::tukey ? 7 : 12);
+  reweighting.iterate(all, loss, 0.01, loss == Loss::least_absolute ? 0.04 : 0, loss == Loss::tukey ? 6 : 12);
 
   h.root_weight.resize(samples.padded_size());
   for (std::size_t i = 0; i < h.root_weight.size(); ++i)
