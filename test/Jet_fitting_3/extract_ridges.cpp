@@ -24,6 +24,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <tuple>
 
 using namespace test;
 using namespace CGAL::Jet_fitting;
@@ -310,6 +311,7 @@ void against_cgal()
       Ridge_options options;
       options.order = order;
       options.lines = max ? Ridge_selection::max : Ridge_selection::min;
+      options.only_certain = false;
       for (const auto& line : extract_ridges(mesh, maps, options).lines) {
         ours[line.type == Ridge_type::max_elliptic || line.type == Ridge_type::min_elliptic] += line.length;
         our_points += line.points.size() - (line.is_closed ? 0 : 1);
@@ -604,6 +606,112 @@ void vanishing()
                               "a negative rounding, umbilics");
 }
 
+// A grid over [0, 1]^2, closed or open in either direction, its inner vertices moved by up to so many cells and its
+// squares cut either way if they are, mapped to a surface.
+template <class Map>
+Analytic_mesh mapped_grid(std::size_t m, std::size_t n, bool wraps, double jitter, unsigned seed, const Map& map)
+{
+  Analytic_mesh mesh;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-jitter, jitter);
+  const std::size_t rows = wraps ? n : n - 1;
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const bool is_inner = wraps || (j > 0 && j + 1 < n);
+      mesh.points.push_back(
+          map((double(i) + shift(random)) / double(m), (double(j) + (is_inner ? shift(random) : 0)) / double(rows)));
+    }
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < rows; ++j) {
+      const auto at = [&](std::size_t di, std::size_t dj) { return (i + di) % m * n + (j + dj) % n; };
+      const bool is_turned = jitter > 0 && random() % 2 == 1;
+      mesh.faces.push_back({at(0, 0), at(1, 0), at(is_turned ? 0 : 1, 1)});
+      mesh.faces.push_back({at(is_turned ? 1 : 0, 0), at(1, 1), at(0, 1)});
+    }
+  return mesh;
+}
+
+const double full_turn = 2 * std::acos(-1.);
+
+// A ring cyclide of Dupin, c < d < a: an inverted torus, whose lines of curvature are circles.
+Analytic_mesh cyclide(double a, double c, double d, std::size_t m, std::size_t n, double jitter)
+{
+  const double b = std::sqrt(a * a - c * c);
+  return mapped_grid(m, n, true, jitter, 5, [=](double s, double t) {
+    const double u = full_turn * s, v = full_turn * t, w = a - c * std::cos(u) * std::cos(v);
+    return Point((d * (c - a * std::cos(u) * std::cos(v)) + b * b * std::cos(u)) / w,
+                 b * std::sin(u) * (a - d * std::cos(v)) / w, b * std::sin(v) * (c * std::cos(u) - d) / w);
+  });
+}
+
+// A torus for which the grid may be irregular.
+Analytic_mesh irregular_torus(double big, double small, std::size_t m, std::size_t n, double jitter)
+{
+  return mapped_grid(m, n, true, jitter, 3, [=](double s, double t) {
+    const double u = full_turn * s, v = full_turn * t, ring = big + small * std::cos(v);
+    return Point(ring * std::cos(u), ring * std::sin(u), small * std::sin(v));
+  });
+}
+
+// A cylinder or cone for which it may.
+Analytic_mesh irregular_tube(double r, double s, std::size_t m, std::size_t n, double jitter)
+{
+  return mapped_grid(m, n, false, jitter, 2, [=](double i, double j) {
+    const double radius = r + (s - r) * j;
+    return Point(radius * std::cos(full_turn * i), radius * std::sin(full_turn * i), 3 * j);
+  });
+}
+
+// The points of an octahedral sphere moved by up to a part of an edge, then onto an ellipsoid.
+Analytic_mesh irregular_ellipsoid(double y, double z, int n, double jitter)
+{
+  Analytic_mesh mesh = sphere(1, n);
+  std::mt19937 random{unsigned(n)};
+  std::uniform_real_distribution<double> shift(-1.5 * jitter / n, 1.5 * jitter / n);
+  for (Point& p : mesh.points) {
+    p = unit(p + Point(shift(random), shift(random), shift(random)));
+    p = Point(p.x, y * p.y, z * p.z);
+  }
+  return mesh;
+}
+
+// The same where all lines of curvature are circles or straight, on meshes of all kinds: spheres, cylinders, cones, tori
+// and their inversions, regular and not, as long as neighborhoods do not reach around them.
+void vanishing_family()
+{
+  for (double jitter : {0., .2}) {
+    const std::string name = jitter > 0 ? "irregular " : "regular ";
+    for (int n : {10, 20, 40}) check_none<Mesh>(irregular_ellipsoid(1, 1, n, jitter), name + "sphere " + text(n));
+    check_none<Mesh>(irregular_tube(1, 1, 60, 30, jitter), name + "cylinder");
+    check_none<Mesh>(irregular_tube(1, 1, 40, 30, jitter), name + "coarse cylinder");
+    check_none<Mesh>(irregular_tube(1, .5, 60, 30, jitter), name + "cone");
+    check_none<Mesh>(irregular_torus(2, .7, 60, 30, jitter), name + "torus");
+    check_none<Mesh>(irregular_torus(5, 1, 100, 30, jitter), name + "thin torus");
+    check_none<Mesh>(cyclide(1, .3, .6, 80, 60, jitter), name + "cyclide");
+    check_none<Mesh>(cyclide(1, .3, .6, 40, 30, jitter), name + "coarse cyclide");
+    check_none<Mesh>(cyclide(1, .2, .5, 60, 40, jitter), name + "another cyclide");
+    check_none<Mesh>(cyclide(1, .1, .3, 60, 40, jitter), name + "thin cyclide");
+    check_none<Mesh>(cyclide(1, .5, .7, 80, 60, jitter), name + "cyclide with a narrow throat");
+  }
+}
+
+// A tube of constant radius around an ellipse: k2 is constant along its circles, k1 is extremal along the four that are
+// around the vertices of the ellipse.
+void tube_around_ellipse()
+{
+  const Mesh mesh = mesh_of(mapped_grid(240, 60, true, 0, 1, [](double s, double t) {
+    const double u = full_turn * s, v = full_turn * t;
+    const Point normal = unit(Point(std::cos(u), 2 * std::sin(u), 0));
+    return Point(2 * std::cos(u), std::sin(u), 0) + .3 * std::cos(v) * normal + Point(0, 0, .3 * std::sin(v));
+  }));
+  const Maps maps(mesh);
+  Ridge_options max, min;
+  max.lines = Ridge_selection::max;
+  min.lines = Ridge_selection::min;
+  check_equal(extract_ridges(mesh, maps, min).lines.size(), 0u, "ridges of the curvature of the circles");
+  check_ge(extract_ridges(mesh, maps, max).length(), .8 * 4 * full_turn / 2 * .3, "ridges around the vertices");
+}
+
 // Where they are not zero, nothing is lost.
 void kept()
 {
@@ -624,6 +732,59 @@ void kept()
     check_ge(extract_ridges(mesh, maps).length(), .995 * length, name + std::string(": length that is certain"));
     check_equal(extract_umbilics(mesh, maps).size(), extract_umbilics(mesh, maps, Umbilic_options{0, false, 0}).size(),
                 name + std::string(": umbilics"));
+  }
+}
+
+// Half axes 1, 1 + e, 1 + 2 e: as long as b, of the order of e, is above the error of order h^3 that a quartic has on a
+// sphere, all is kept; below, next to nothing is drawn.
+void nearly_round()
+{
+  const auto certain = [](double e, int n, double jitter) {
+    const Mesh mesh = mesh_of(irregular_ellipsoid(1 + e, 1 + 2 * e, n, jitter));
+    const Maps maps(mesh);
+    return std::make_pair(extract_ridges(mesh, maps).length(), extract_umbilics(mesh, maps).size());
+  };
+  for (const auto& [e, n, jitter] :
+       {std::make_tuple(.1, 20, 0.), std::make_tuple(.1, 20, .3), std::make_tuple(.1, 40, .3),
+        std::make_tuple(.01, 20, 0.), std::make_tuple(.01, 40, .3), std::make_tuple(.001, 40, 0.)}) {
+    const auto [length, umbilics] = certain(e, n, jitter);
+    const double three_circles = 3 * full_turn * (1 + e);
+    check_near(length, three_circles, .03 * three_circles, "nearly round, e = " + text(e) + ", n = " + text(n));
+    check_equal(umbilics, 4u, "umbilics, e = " + text(e) + ", n = " + text(n));
+  }
+  for (double e : {1e-4, 1e-5}) check_le(certain(e, 20, 0).first, 1e-9, "rounder than a mesh can tell, e = " + text(e));
+}
+
+// Folds six edges wide, as on scans: neighborhoods reach over three. Each has a crest of either colour.
+void narrow_folds()
+{
+  const std::size_t n = 65;
+  const double width = 6. / double(n - 1);
+  for (const double jitter : {0., .3}) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> shift(-jitter / double(n), jitter / double(n));
+    Analytic_mesh mesh = graph("folds", n, [](double, double) { return std::array<double, 6>{}; });
+    for (Point& p : mesh.points) {
+      const double x = p.x + shift(random), y = p.y + shift(random);
+      p = Point(x, y, width / 6 * std::cos(full_turn * x / width));
+    }
+    const Mesh folds = mesh_of(mesh);
+    const Maps maps(folds);
+    const auto length_on_crests = [&](bool only_certain) {
+      Ridge_options options;
+      options.lines = Ridge_selection::crest;
+      options.only_certain = only_certain;
+      double length = 0;
+      for (const auto& line : extract_ridges(folds, maps, options).lines)
+        for (const auto& p : line.points) {
+          const double place = p.point.x() / (width / 2);
+          if (std::abs(place - std::round(place)) < .25) length += line.length / double(line.points.size());
+        }
+      return length;
+    };
+    const double certain = length_on_crests(true);
+    check_ge(certain, .95 * 2 / width, "length of the crests of narrow folds, jitter " + text(jitter));
+    check_ge(certain, .99 * length_on_crests(false), "nearly all is certain, jitter " + text(jitter));
   }
 }
 
@@ -681,7 +842,11 @@ int main()
 {
   smoothing();
   vanishing();
+  vanishing_family();
+  tube_around_ellipse();
   kept();
+  nearly_round();
+  narrow_folds();
   ellipsoid_ridges();
   ellipsoid_umbilics();
   types_of_umbilics();

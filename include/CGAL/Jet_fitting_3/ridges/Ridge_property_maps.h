@@ -79,11 +79,8 @@ inline void set_report(Ridge_values& values, const Estimation_status& status, co
 {
   values.is_estimated = values.is_estimated && status.is_estimated() && !status.has(Status_flag::degree_lowered);
   if (quality.number_of_points > 0 && quality.condition_number > 0)
-    values.fit = Ridge_fit{quality.number_of_points, quality.condition_number, quality.residual_rms};
-  if (quality.scale.third_order_error > 0) {
-    values.chosen_error = quality.scale.third_order_error;
-    values.max.error = values.min.error = values.chosen_error;
-  }
+    values.fit = Ridge_fit{quality.number_of_points, quality.condition_number};
+  if (quality.scale.third_order_error > 0) values.max.error = values.min.error = quality.scale.third_order_error;
   const auto& errors = quality.standard_errors.coefficients;
   if (errors.size() < monge_offset(4)) return;
   values.max.error = errors[monge_offset(3)];
@@ -160,8 +157,8 @@ public:
 
   /// \param mesh read only here
   /// \param neighborhood as for estimate_vertex_monge_forms(); without it: enough_rings() for twice as many points as a
-  ///        jet has coefficients. With automatic(), what is certain, and what is significant, is decided by the errors
-  ///        of b that it estimates
+  ///        jet has coefficients. With automatic(), what is significant is decided by the errors of b that it
+  ///        estimates
   /// \param np the named parameters of estimate_vertex_monge_forms(), except that the degree of the jet is 4 if not
   ///        given (any with automatic()), and that of the form 3 (P1 and P2 are 0 then, and only ridges of order 3 can
   ///        be computed) or 4 (default). The object keeps a copy of a given `vertex_index_map`
@@ -261,7 +258,6 @@ private:
     // automatic() chooses the degree, unless the user bounds it
     if constexpr (std::is_same<Neighborhood, Automatic>::value) made.summary = estimate(np.degree_monge(dprime));
     else made.summary = estimate(np.degree_fitting(d).degree_monge(dprime));
-    made.table->degree = d;
     complete(mesh, made);
     return made;
   }
@@ -270,12 +266,8 @@ private:
   static Contents given(const Mesh& mesh, const FormMap& form_map, const Estimation_summary<vertex_descriptor>& summary)
   {
     Contents made{std::make_shared<Table>(mesh), summary};
-    made.table->degree = 3;
-    for (const vertex_descriptor& v : make_range(vertices(mesh))) {
-      const auto& form = get(form_map, v);
-      made.table->values[made.table->number(v)] = internal::ridge_values<Kernel>(form);
-      made.table->degree = (std::max)(made.table->degree, std::size_t(form.degree()));
-    }
+    for (const vertex_descriptor& v : make_range(vertices(mesh)))
+      made.table->values[made.table->number(v)] = internal::ridge_values<Kernel>(get(form_map, v));
     complete(mesh, made);
     return made;
   }

@@ -20,6 +20,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -54,9 +55,13 @@ struct Ridge_options
   double significance = 0;
 
   /// Whether lines are drawn only where a change of the sign of b0 or b3 is certain, or within a few triangles of
-  /// there: on both sides of it, k1 or k2 rises (or falls), and b exceeds what rounding, and terms of higher order than
-  /// the jet's, can make of zero. If false, lines are drawn at random where b vanishes identically, as on spheres,
-  /// cylinders, tori.
+  /// there: on both sides of it, k1 or k2 rises (or falls), and b exceeds what errors can make of zero. These are read
+  /// off the data: b0, ..., b3 are the derivatives of the second fundamental form, and b has to exceed twice the
+  /// largest difference, on the edges around, between them and the difference quotients of that form; or, where shapes
+  /// are as small as neighborhoods, b has to be so large that the curvature changes by one and a half times as much as
+  /// it is, over the reach of the neighborhood or while the normal turns by a radian. With a significance, what may be
+  /// noise by the standard errors is left to that. If false, lines are drawn at random where b vanishes identically, as
+  /// on spheres, cylinders, tori.
   bool only_certain = true;
 
   /// How far rounding may have moved the points, in length, besides that of their number type: for coordinates read
@@ -123,28 +128,41 @@ inline void check_ridge_field(const Ridge_field& field, const Ridge_options& opt
 
 inline bool have_same_type(const Ridge_segment& a, const Ridge_segment& b) { return a.is_elliptic == b.is_elliptic; }
 
+/// Which segments are more than errors at both ends.
+template <class Exceeds_errors>
+std::vector<bool> exceed_errors(const Ridge_field& field, const Ridge_view& view,
+                                const std::vector<Ridge_segment>& segments, const Exceeds_errors& exceeds_errors)
+{
+  const Ridge_significance<Exceeds_errors> is_significant(field, view, exceeds_errors);
+  std::vector<bool> result;
+  result.reserve(segments.size());
+  for (const Ridge_segment& s : segments) result.push_back(is_significant(s.ends[0]) && is_significant(s.ends[1]));
+  return result;
+}
+
 /// The segments of one colour that the options let pass.
 inline std::vector<Ridge_segment> selected_segments(const Ridge_field& field, const Ridge_view& view,
                                                     const Ridge_options& options, Ridge_triangles& left_out)
 {
-  std::vector<Ridge_segment> segments = ridge_segments(field, view, options.order, left_out);
-  const auto keep_if = [&segments](const auto& is_wanted) {
-    const auto is_unwanted = [&is_wanted](const Ridge_segment& s) { return !is_wanted(s); };
-    segments.erase(std::remove_if(segments.begin(), segments.end(), is_unwanted), segments.end());
-  };
-  if (options.lines == Ridge_selection::crest) keep_if([](const Ridge_segment& s) { return s.is_crest; });
-  if (options.significance > 0) {
-    const Ridge_significance is_significant(field, view, options.significance);
-    keep_if([&](const Ridge_segment& s) { return is_significant(s.ends[0]) && is_significant(s.ends[1]); });
-  }
-  if (!options.only_certain) return segments;
-
   const std::size_t steps = 16; // about twice the reach of a neighborhood
-  const Ridge_significance is_significant(field, view, 0);
-  std::vector<bool> is_certain;
-  is_certain.reserve(segments.size());
-  for (const Ridge_segment& s : segments) is_certain.push_back(is_significant(s.ends[0]) && is_significant(s.ends[1]));
-  return segments_near_certain_ones(segments, is_certain, steps, have_same_type);
+  std::vector<Ridge_segment> segments = ridge_segments(field, view, options.order, left_out);
+  if (options.lines == Ridge_selection::crest)
+    segments.erase(std::remove_if(segments.begin(), segments.end(), [](const Ridge_segment& s) { return !s.is_crest; }),
+                   segments.end());
+  const auto noise = [&](Index v) { return options.significance * view[v].error.value_or(0); };
+  // A tolerance is twice a disagreement. Noise makes that up to about twice the noise of b at significance 2: the largest
+  // of six differences of two errors exceeds 3.7 standard errors once in twenty times. Then the other test decides.
+  const auto exceeds_tolerance = [&](Index v) {
+    return std::abs(view.b(v)) > view.tolerance(v) || view.tolerance(v) <= 4 * noise(v);
+  };
+  const auto exceeds_noise = [&](Index v) { return std::abs(view.b(v)) >= noise(v); };
+  if (options.only_certain) // before the other test makes gaps
+    segments = segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_tolerance), steps,
+                                          have_same_type);
+  if (options.significance > 0)
+    segments =
+        segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_noise), 0, have_same_type);
+  return segments;
 }
 
 } // namespace internal
@@ -181,7 +199,7 @@ auto extract_ridges(const Mesh& mesh, const Maps& maps, const NamedParameters& n
   check_ridge_options(options);
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, mesh));
-  const Ridge_field field = ridge_field(mesh, ridge_table(mesh, maps), point_map);
+  const Ridge_field field = ridge_field(mesh, ridge_table(mesh, maps, point_map), point_map);
   check_ridge_field(field, options);
   std::vector<Ridge_tolerance> tolerances;
   if (options.only_certain)

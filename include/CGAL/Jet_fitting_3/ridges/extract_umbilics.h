@@ -63,8 +63,8 @@ struct Umbilic_options
   /// the sum of their indices; none if the sum is 0. For noise, which makes pairs of umbilics.
   double merge_distance = 0;
 
-  /// Whether only those count from which k1 - k2 rises more steeply than rounding, and terms of higher order than the
-  /// jet's, can make it. If false, there are umbilics at random where k1 = k2, as on spheres and planes.
+  /// Whether only those count from which k1 - k2 rises more steeply than errors can make it, which are found as in
+  /// Ridge_options. If false, there are umbilics at random where k1 = k2, as on spheres and planes.
   bool only_certain = true;
 
   double coordinate_rounding = 0; ///< as in Ridge_options
@@ -72,12 +72,16 @@ struct Umbilic_options
 
 namespace internal {
 
-/// Whether the deviator, of which k1 - k2 is twice the length, rises more steeply than by errors.
-inline bool is_certain(const Umbilic_in_triangle& umbilic, const Ridge_triangle& triangle,
-                       const std::vector<Ridge_tolerance>& tolerances)
+/// Whether the deviator rises more steeply than by errors, at the corners of a triangle together.
+inline bool rises_certainly(const Ridge_field& field, const Ridge_triangle& triangle,
+                            const std::vector<Ridge_tolerance>& tolerances)
 {
-  return std::all_of(triangle.begin(), triangle.end(),
-                     [&](Index v) { return 2 * umbilic.slope > tolerances[v].slope; });
+  double slope = 0, tolerance = 0;
+  for (const Index v : triangle) {
+    slope += deviator_slope({field[v].max.b, field[v].b1, field[v].b2, field[v].min.b});
+    tolerance += tolerances[v].slope;
+  }
+  return slope > tolerance;
 }
 
 /// In the triangles whose corners are usable.
@@ -89,7 +93,7 @@ inline std::vector<Umbilic_in_triangle> find_umbilics(const Ridge_field& field,
   for (const Ridge_triangle& triangle : field.triangles) {
     if (!std::all_of(triangle.begin(), triangle.end(), [&field](Index v) { return field.is_usable(v); })) continue;
     const auto umbilic = umbilic_in_triangle(field, triangle);
-    if (umbilic && (tolerances.empty() || is_certain(*umbilic, triangle, tolerances))) found.push_back(*umbilic);
+    if (umbilic && (tolerances.empty() || rises_certainly(field, triangle, tolerances))) found.push_back(*umbilic);
   }
   return found;
 }
@@ -131,7 +135,7 @@ auto extract_umbilics(const Mesh& mesh, const Maps& maps, const NamedParameters&
                           std::to_string(length));
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, mesh));
-  const Ridge_field field = ridge_field(mesh, ridge_table(mesh, maps), point_map);
+  const Ridge_field field = ridge_field(mesh, ridge_table(mesh, maps, point_map), point_map);
   std::vector<Ridge_tolerance> tolerances;
   if (options.only_certain)
     tolerances = ridge_tolerances(field, coordinate_rounding<typename Kernel::FT>(options.coordinate_rounding));

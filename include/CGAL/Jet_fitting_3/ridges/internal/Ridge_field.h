@@ -16,6 +16,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -38,22 +39,49 @@ struct Ridge_field
   std::vector<Real_vector> points;
   std::vector<Ridge_triangle> triangles;
   std::vector<bool> is_finite; ///< the point and its values
-  std::size_t degree;          ///< of the jets, at least
 
   std::size_t size() const { return points.size(); }
   const Ridge_values& operator[](Index i) const { return (*values)[i]; }
   bool is_usable(Index i) const { return (*values)[i].is_estimated && is_finite[i]; }
 };
 
-template <class Mesh, class ConcurrencyTag>
-std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh&, const Ridge_property_maps<Mesh, ConcurrencyTag>& maps)
+template <class Mesh, class ConcurrencyTag, class VertexPointMap>
+std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh&, const Ridge_property_maps<Mesh, ConcurrencyTag>& maps,
+                                                     const VertexPointMap&)
 {
   return maps.table();
 }
 
+/// b1 and b2, which say how k1 changes along d2, and k2 along d1, as they do so best from a vertex to its neighbors.
+template <class Mesh, class VertexPointMap>
+void estimate_mixed_derivatives(const Mesh& mesh, const VertexPointMap& point_map, Ridge_table<Mesh>& table)
+{
+  for (const auto& v : make_range(vertices(mesh))) {
+    const auto h = halfedge(v, mesh);
+    if (h == boost::graph_traits<Mesh>::null_halfedge()) continue;
+    Ridge_values& here = table.values[table.number(v)];
+    double xx = 0, yy = 0;
+    for (const auto& w : vertices_around_target(h, mesh)) {
+      const Ridge_values& there = table.values[table.number(w)];
+      const Real_vector edge = to_real(get(point_map, w)) - to_real(get(point_map, v));
+      const double x = dot(edge, here.max.direction), y = dot(edge, here.min.direction);
+      const double along_d2 = y * (there.max.k - here.max.k - here.max.b * x),
+                   along_d1 = x * (there.min.k - here.min.k - here.min.b * y);
+      if (!std::isfinite(along_d1 + along_d2)) continue;
+      here.b1 += along_d2;
+      here.b2 += along_d1;
+      xx += x * x;
+      yy += y * y;
+    }
+    here.b1 = yy > 0 ? here.b1 / yy : 0;
+    here.b2 = xx > 0 ? here.b2 / xx : 0;
+  }
+}
+
 /// From maps that are not our own: all vertices count as estimated.
-template <class Mesh, class Maps>
-std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh& mesh, const Maps& maps)
+template <class Mesh, class Maps, class VertexPointMap>
+std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh& mesh, const Maps& maps,
+                                                     const VertexPointMap& point_map)
 {
   const auto table = std::make_shared<Ridge_table<Mesh>>(mesh);
   for (const auto& v : make_range(vertices(mesh))) {
@@ -63,6 +91,7 @@ std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh& mesh, const Map
     values.min = {value(maps.k2), value(maps.b3), value(maps.P2), to_real(get(maps.d2, v)), {}};
     values.is_estimated = true;
   }
+  estimate_mixed_derivatives(mesh, point_map, *table);
   return table;
 }
 
@@ -105,8 +134,7 @@ Ridge_field ridge_field(const Mesh& mesh, const std::shared_ptr<const Ridge_tabl
   Ridge_field field{{table, &table->values},
                     std::vector<Real_vector>(size),
                     ridge_triangles(mesh, *table),
-                    std::vector<bool>(size),
-                    table->degree};
+                    std::vector<bool>(size)};
   for (const auto& v : make_range(vertices(mesh))) {
     const Index i = number_in(*table, v);
     field.points[i] = to_real(get(point_map, v));

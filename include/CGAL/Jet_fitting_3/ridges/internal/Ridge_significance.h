@@ -19,16 +19,17 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 
-/// Tells which zero crossings of b are more than errors of b. Along the line of curvature through a crossing, k rises
-/// or falls on both sides until b vanishes again; on each side |b| has to exceed its error at some vertex. Where b is
-/// all error it does not, however long the ridges are that errors draw; next to a ridge b is small on both sides, but
-/// not further off.
+/// Tells which zero crossings of b are more than errors of b, given which vertices these do not explain. Along the line
+/// of curvature through a crossing, k rises or falls on both sides until b vanishes again; on each side there has to be
+/// such a vertex. Where b is all error there is none, however long the ridges are that errors draw; next to a ridge b is
+/// small on both sides, but not further off.
+template <class Exceeds_errors>
 class Ridge_significance
 {
 public:
-  /// \param multiple of the standard error that |b| has to reach; 0: it has to exceed its tolerance instead
-  Ridge_significance(const Ridge_field& field, const Ridge_view& view, double multiple)
-    : m_view(view), m_adjacency(field), m_multiple(multiple)
+  /// \param exceeds_errors whether |b| is more than errors, at a vertex
+  Ridge_significance(const Ridge_field& field, const Ridge_view& view, const Exceeds_errors& exceeds_errors)
+    : m_view(view), m_adjacency(field), m_exceeds_errors(exceeds_errors)
   {}
 
   bool operator()(const Ridge_crossing& c) const
@@ -43,14 +44,8 @@ public:
   }
 
 private:
-  bool is_certain(Index v) const
-  {
-    const double b = std::abs(m_view.b(v));
-    return m_multiple > 0 ? b >= m_multiple * m_view[v].error.value_or(0) : b > m_view.tolerance(v);
-  }
-
   /// 1 if k rises from a vertex on, going outwards from vertex to vertex along the line of curvature, -1 if it falls, 0
-  /// if b is not certain before it changes its sign. On the ridge itself b may be zero by symmetry.
+  /// if there is no such vertex before b changes its sign. On the ridge itself b may be zero by symmetry.
   int slope(Index v, Real_vector outwards) const
   {
     int slope = 0;
@@ -64,7 +59,7 @@ private:
         const int here = is_turned == is_negative(m_view.b(v)) ? 1 : -1;
         if (slope == 0) slope = here;
         if (here != slope) return 0;
-        if (is_certain(v)) return slope;
+        if (m_exceeds_errors(v)) return slope;
       }
       v = neighbor(v, outwards);
       if (v == no_index) return 0;
@@ -93,7 +88,7 @@ private:
 
   Ridge_view m_view;
   Ridge_adjacency m_adjacency;
-  double m_multiple;
+  Exceeds_errors m_exceeds_errors;
 };
 
 } // namespace internal

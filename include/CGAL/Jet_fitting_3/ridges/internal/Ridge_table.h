@@ -53,7 +53,7 @@ struct Ridge_quantities
 struct Ridge_fit
 {
   std::size_t number_of_points;
-  double condition_number, residual_rms;
+  double condition_number;
 };
 
 /// All that ridges and umbilics need at a vertex.
@@ -62,8 +62,7 @@ struct Ridge_values
   Ridge_quantities max{0, 0, 0, {1, 0, 0}, {}}, min{0, 0, 0, {0, 1, 0}, {}};
   double b1 = 0, b2 = 0;
   std::optional<Ridge_fit> fit;
-  std::optional<double> chosen_error; ///< of b by noise and bias, where automatic() knows it
-  bool is_estimated = false;          ///< the values are those of this vertex, of the degree that was asked for
+  bool is_estimated = false; ///< the values are those of this vertex, of the degree that was asked for
 };
 
 inline bool is_finite(const Ridge_quantities& q)
@@ -81,7 +80,6 @@ struct Ridge_table
   /// The place of a vertex in that order; no_index where it is not a vertex of the mesh.
   std::function<Index(vertex_descriptor)> number;
   std::vector<Ridge_values> values;
-  std::size_t degree = 4; ///< of the jets, at least
 
   /// \param numbering of the vertices of the mesh
   template <class Numbering>

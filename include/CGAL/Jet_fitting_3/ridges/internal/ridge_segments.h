@@ -61,7 +61,7 @@ public:
   double b(Index i) const
   {
     const double b = (*this)[i].b;
-    return has_tolerances() && std::abs(b) <= (*m_tolerances)[i].rounding_of_b ? 0 : b;
+    return has_tolerances() && std::abs(b) <= (*m_tolerances)[i].rounding ? 0 : b;
   }
 
   bool has_tolerances() const { return !m_tolerances->empty(); }

@@ -31,7 +31,6 @@ struct Umbilic_in_triangle
   double k; ///< both curvatures
   int turn; ///< 1 or -1: twice the index of the lines of curvature
   Cubic_form form;
-  double slope; ///< the norm of the deviator's gradient
 };
 
 /// How many directions in which a line of curvature runs straight out of an umbilic: there, the deviator
@@ -43,6 +42,13 @@ inline int number_of_straight_lines(const Cubic_form& form)
   const double discriminant =
       b * b * c * c - 4 * a * c * c * c - 4 * b * b * b * d - 27 * a * a * d * d + 18 * a * b * c * d;
   return discriminant > 0 ? 3 : 1;
+}
+
+/// The norm of the deviator's gradient, of which this is the cubic form. It does not depend on the choice of d1.
+inline double deviator_slope(const Cubic_form& form)
+{
+  const double x = 0.5 * (form[0] - form[2]), y = 0.5 * (form[1] - form[3]);
+  return std::sqrt(x * x + y * y + form[1] * form[1] + form[2] * form[2]);
 }
 
 /// A vector in the plane of a triangle.
@@ -112,7 +118,7 @@ inline std::optional<Umbilic_in_triangle> umbilic_in_triangle(const Ridge_field&
   const double sum = weights[0] + weights[1] + weights[2];
   if (!(sum > 0)) return std::nullopt;
 
-  Umbilic_in_triangle umbilic{{0, 0, 0}, 0, turn, {}, 0};
+  Umbilic_in_triangle umbilic{{0, 0, 0}, 0, turn, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     umbilic.point = umbilic.point + weights[i] / sum * field.points[triangle[i]];
     umbilic.k += weights[i] / sum * 0.5 * (field[triangle[i]].max.k + field[triangle[i]].min.k);
@@ -122,7 +128,6 @@ inline std::optional<Umbilic_in_triangle> umbilic_in_triangle(const Ridge_field&
   const Plane_vector b = gradient(deviators[1].y - deviators[0].y, deviators[2].y - deviators[0].y, u, v);
   // twice the deviator is (A - C, 2 B) for a form (A B; B C), whose derivatives are (b0 b1; b1 b2) and (b1 b2; b2 b3)
   umbilic.form = {2 * a.x + b.y, b.x, b.y, b.x - 2 * a.y};
-  umbilic.slope = std::sqrt(a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y);
   return umbilic;
 }
 
