@@ -44,6 +44,15 @@ inline std::size_t last_shell(const Selection& selection, const Ladder& ladder)
   return last;
 }
 
+/// What is fitted over the tangent plane. The potential z (1 + n_z) / 2, with the unit normal n, has the surface's
+/// derivatives of orders 2 and 3 at the origin; on spheres and cylinders it is exactly quadratic where z is not, and
+/// noise of a point moves it by about as much wherever the surface slopes. Errors of the normals move it, too.
+enum class Height
+{
+  z,
+  potential
+};
+
 /// Fits to disks, or ellipses, around a vertex.
 template <class Neighbors>
 class Disk_fitter
@@ -51,8 +60,8 @@ class Disk_fitter
 public:
   /// \param unit of the radii, in length
   /// \param most vertices of a disk
-  Disk_fitter(const Surface_points<Neighbors>& surface, double unit, std::size_t most)
-    : m_surface(surface), m_unit(unit), m_most(most)
+  Disk_fitter(const Surface_points<Neighbors>& surface, double unit, std::size_t most, Height height = Height::z)
+    : m_surface(surface), m_unit(unit), m_most(most), m_height(height)
   {}
 
   /// The candidates at vertex i for derivatives of the given order: those that are selected, or all.
@@ -64,7 +73,7 @@ public:
     const std::size_t shells = ladder.radii.size(), last = selection ? last_shell(*selection, ladder) : shells;
     if (last == 0) return result;
     typename Walker<Neighbors>::Disk disk;
-    walker.disk(i, frame, ladder.radii[last - 1] * m_unit, ratio, m_most, disk);
+    walker.disk(i, frame, ladder.radii[last - 1] * m_unit, ratio, least_cosine(), m_most, disk);
     Moments moments;
     std::size_t k = 0;
     for (std::size_t j = 0; j < last; ++j) {
@@ -72,7 +81,7 @@ public:
       const double enough = moments.size() - 1.3 * double(number_of_jet_coefficients(4));
       for (; k < disk.vertices.size() && disk.distances[k] <= ladder.radii[j] * m_unit; ++k) {
         const Vector_3<double> q = 1 / m_unit * frame.in(m_surface.points[disk.vertices[k]]);
-        moments.add(q.x, q.y, q.z);
+        moments.add(q.x, q.y, q.z * share(disk.vertices[k], frame));
       }
       if (ladder.radii[j] * m_unit > disk.reach && enough >= 0) break;
       if (j > 0 && k < before + 3) continue; // the same fit again
@@ -83,9 +92,19 @@ public:
   }
 
 private:
+  // Heights are polynomials of low degree as far as the surface turns by 60 degrees, potentials farther.
+  double least_cosine() const { return m_height == Height::z ? 0.5 : 0.3; }
+
+  // Of z, in the height.
+  double share(std::size_t vertex, const Local_frame& frame) const
+  {
+    return m_height == Height::z ? 1 : (1 + dot(m_surface.normals[vertex], frame.axes.z)) / 2;
+  }
+
   const Surface_points<Neighbors>& m_surface;
   double m_unit;
   std::size_t m_most;
+  Height m_height;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

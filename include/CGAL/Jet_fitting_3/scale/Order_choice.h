@@ -49,12 +49,13 @@ public:
   /// \param square_of_noise the variance of a coordinate, in squares of the unit
   /// \param unit the mean edge; radii are 2 to largest_radius of it
   /// \param highest degree of a candidate, at least the order
+  /// \param height potentials, which have the surface's derivatives to order 3, are taken for that order only
   /// \param for_each as for Surface_choice
   template <class For_each>
   Order_choice(const Surface& surface, double square_of_noise, double unit, std::size_t order, std::size_t highest,
-               const For_each& for_each)
+               Height height, const For_each& for_each)
     : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_order(order), m_all{0, order + 1},
-      m_fitter(surface, unit, most_samples)
+      m_fitter(surface, unit, most_samples, order == 3 ? height : Height::z)
   {
     std::vector<double> radii;
     for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);

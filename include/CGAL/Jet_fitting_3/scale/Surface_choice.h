@@ -65,7 +65,7 @@ class Surface_choice
   static constexpr std::size_t patch = 30, most_samples = 800, all = 3;
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
   static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
-  static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
+  static constexpr double margin = 1.5; // of the risk, by which ellipses and the potential must be better
 
 public:
   using Surface = Surface_points<Neighbors>;
@@ -78,8 +78,9 @@ public:
   template <class For_each = One_after_the_other>
   Surface_choice(const Surface& surface, double noise, double unit, std::size_t highest = highest_degree,
                  const For_each& for_each = For_each())
-    : m_surface(surface), m_unit(unit), m_square_of_noise(variance_in_units(noise, unit)),
-      m_fitter(surface, unit, most_samples)
+    : m_surface(surface), m_unit(unit),
+      m_square_of_noise(variance_in_units(noise, unit)), m_fitters{{{surface, unit, most_samples, Height::z},
+                                                                    {surface, unit, most_samples, Height::potential}}}
   {
     std::vector<double> radii;
     for (double r = 2; r < 16; r *= 1.2) radii.push_back(r);
@@ -95,6 +96,8 @@ public:
   }
 
   const Ladder& ladder() const { return m_ladder; }
+  /// Which one is fitted.
+  Height height() const { return m_height; }
 
   /// At any vertex.
   Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i) const
@@ -143,6 +146,7 @@ private:
     std::array<std::vector<double>, shapes.size()> variances;
     std::array<Choice, 4> choices;
     std::array<Selection, shapes.size()> selections; // what they use
+    std::array<double, 3> q{};                       // second derivatives by disks
     double own_size = 0;                             // sum of the squares of the second derivatives
   };
 
@@ -176,7 +180,7 @@ private:
   Candidates local(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, std::size_t shape,
                    const Selection* selection) const
   {
-    return m_fitter(walker, i, frame, shapes[shape], m_ladder, 2, selection);
+    return m_fitters[std::size_t(m_height)](walker, i, frame, shapes[shape], m_ladder, 2, selection);
   }
 
   // Whether the candidates that a choice at a place uses exist and are about as certain.
@@ -195,7 +199,8 @@ private:
     return nearest_places(m_points, m_surface.points[vertex], count);
   }
 
-  // Disks, all second derivatives together: they say the principal axes. Then components in these, and ellipses.
+  // Disks, all second derivatives together: they say which height is better, and the principal axes. Then components in
+  // these, and ellipses.
   template <class For_each>
   void learn(const For_each& for_each)
   {
@@ -205,9 +210,38 @@ private:
             [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable { (this->*visit)(walker, m_places[k]); };
       });
     };
-    at_places(&Surface_choice::compare_disks);
+    std::array<std::vector<Place>, 2> by_heights{m_places, m_places};
+    for (const Height height : {Height::z, Height::potential}) {
+      m_height = height;
+      m_places.swap(by_heights[std::size_t(height)]);
+      at_places(&Surface_choice::compare_disks);
+      at_places(&Surface_choice::choose_in_disks);
+      m_places.swap(by_heights[std::size_t(height)]);
+    }
+    m_height = is_better(by_heights[1], by_heights[0]) ? Height::potential : Height::z;
+    m_places = std::move(by_heights[std::size_t(m_height)]);
     at_places(&Surface_choice::compare_components);
     plan(for_each);
+  }
+
+  // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than they
+  // claim: the risk that is claimed does not know of errors of the normals.
+  static bool is_better(const std::vector<Place>& first, const std::vector<Place>& second)
+  {
+    double gain = 0;
+    std::vector<double> differences;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      const Choice &a = first[k].choices[all], &b = second[k].choices[all];
+      if (!a.exists() || !b.exists()) continue;
+      gain += std::log(a.risk() / b.risk());
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += (first[k].q[i] - second[k].q[i]) * (first[k].q[i] - second[k].q[i]);
+      differences.push_back(square / (a.risk() + b.risk()));
+    }
+    if (differences.empty()) return false;
+    const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);
+    std::nth_element(differences.begin(), median, differences.end());
+    return gain < -std::log(margin) * double(differences.size()) && *median < 2;
   }
 
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
@@ -219,15 +253,20 @@ private:
       if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = size(candidate);
   }
 
+  void choose_in_disks(Walker<Neighbors>&, Place& place) const
+  {
+    place.choices[all] = choose_by(Patch(*this, place.vertex).model(0, all), place.comparisons[0][all],
+                                   place.candidates[0], 0, all, nullptr);
+    double x = 0, y = 0;
+    if (place.choices[all].exists()) place.q = mean(place.candidates[0], place.choices[all], x, y);
+  }
+
   void compare_components(Walker<Neighbors>& walker, Place& place) const
   {
     for (std::size_t s = 0; s < shapes.size(); ++s)
       for (std::size_t t = 0; t < all; ++t) place.comparisons[s][t].resize(m_ladder.pairs.size());
-    place.choices[all] = choose_by(Patch(*this, place.vertex).model(0, all), place.comparisons[0][all],
-                                   place.candidates[0], 0, all, nullptr);
     if (!place.choices[all].exists()) return;
-    double x = 0, y = 0;
-    const auto [cosine, sine] = principal_axis(mean(place.candidates[0], place.choices[all], x, y));
+    const auto [cosine, sine] = principal_axis(place.q);
     place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
     for (Candidate& candidate : place.candidates[0]) candidate = turned(candidate, cosine, sine);
     for (std::size_t s = 0; s < shapes.size(); ++s) {
@@ -409,7 +448,8 @@ private:
   const Surface& m_surface;
   double m_unit, m_square_of_noise;
   Ladder m_ladder;
-  Disk_fitter<Neighbors> m_fitter;
+  std::array<Disk_fitter<Neighbors>, 2> m_fitters; // of the heights
+  Height m_height = Height::z;
   std::vector<Vector_3<double>> m_points; // of the places
   std::vector<Place> m_places;
 };

@@ -80,12 +80,14 @@ public:
   {
     std::vector<std::size_t> vertices;
     std::vector<double> distances; ///< not decreasing
-    double reach;                  ///< where the surface turns by 60 degrees, or too many vertices were found
+    double reach;                  ///< where the surface turns too far, or too many vertices were found
   };
 
   /// The part of the surface around the seed within an ellipse around the axis z of the frame, from inside out. Its
   /// area is that of a disk, its y axis is longer than its x axis by the given ratio.
-  void disk(std::size_t seed, const Local_frame& frame, double radius, double ratio, std::size_t most, Disk& disk)
+  /// \param least_cosine of the angle between a normal and the axis z
+  void disk(std::size_t seed, const Local_frame& frame, double radius, double ratio, double least_cosine,
+            std::size_t most, Disk& disk)
   {
     ++m_turn;
     const double stretch = std::sqrt(ratio);
@@ -111,7 +113,7 @@ public:
         if (!see(v)) continue;
         const Vector_3<double> q = frame.in(m_surface.points[v]);
         const double x = stretch * q.x, y = q.y / stretch, distance = std::sqrt(x * x + y * y);
-        if (dot(m_surface.normals[v], frame.axes.z) < 0.5) disk.reach = std::min(disk.reach, distance);
+        if (dot(m_surface.normals[v], frame.axes.z) < least_cosine) disk.reach = std::min(disk.reach, distance);
         else if (distance <= radius) front.push({distance, v});
       }
     }
@@ -130,7 +132,7 @@ private:
   std::size_t m_turn = 0;
 };
 
-/// The tangent plane at a vertex, by two fits of degree 2 to three rings.
+/// The tangent plane at a vertex, by two fits of degree 2 to three rings; the origin is on the second one.
 template <class Neighbors>
 Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
                           double unit)
@@ -148,9 +150,24 @@ Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neigh
     if (!matrix.is_regular()) break;
     auto c = moments.heights;
     matrix.solve(c);
+    if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(frame.axes.out({-c[1], -c[2], 1}));
   }
   return frame;
+}
+
+/// The normals of the tangent planes at all vertices. \param for_each as for Surface_choice
+template <class Neighbors, class For_each>
+std::vector<Vector_3<double>> normals_of_tangent_planes(const Surface_points<Neighbors>& surface, double unit,
+                                                        const For_each& for_each)
+{
+  std::vector<Vector_3<double>> normals(surface.points.size());
+  for_each(normals.size(), [&] {
+    return [&, walker = Walker<Neighbors>(surface)](std::size_t i) mutable {
+      normals[i] = tangent_frame(surface, walker, i, unit).axes.z;
+    };
+  });
+  return normals;
 }
 
 /// Normals averaged with those of the neighbors, so many times.

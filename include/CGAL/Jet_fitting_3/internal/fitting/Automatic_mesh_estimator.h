@@ -83,13 +83,13 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
     : m_degrees(degrees), m_surface(tables), m_noise(noise(tables.points, options)),
-      m_choice(m_surface.smoothed_for(m_noise.position), m_noise.position, m_surface.mean_edge(), degrees.highest,
-               For_each_with_body<ConcurrencyTag>())
+      m_choice(m_surface.with_fitted_normals(m_noise.position, For_each_with_body<ConcurrencyTag>()), m_noise.position,
+               m_surface.mean_edge(), degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
     const double variance = averaging::variance_in_units(m_noise.position, m_surface.mean_edge());
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
       m_higher.emplace_back(m_surface.surface(), variance, m_surface.mean_edge(), order, degrees.highest,
-                            For_each_with_body<ConcurrencyTag>());
+                            m_choice.height(), For_each_with_body<ConcurrencyTag>());
   }
 
   Walker walker() const { return Walker(m_surface.surface()); }

@@ -43,8 +43,7 @@ public:
 
   template <class Tables>
   explicit Unit_surface(const Tables& tables)
-    : m_points(points(tables)),
-      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, averaging::rounds_of_smoothing(0))),
+    : m_points(points(tables)), m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, 3)),
       m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_mean_edge(averaging::mean_edge(m_surface))
   {}
 
@@ -63,11 +62,13 @@ public:
     return unknown;
   }
 
-  /// Smooths the normals as so much noise, in units, asks for. \return the surface
-  const Surface& smoothed_for(double noise)
+  /// Takes the normals from fits, which are more exact, and averages them as so much noise, in units, asks for.
+  /// \return the surface
+  template <class For_each>
+  const Surface& with_fitted_normals(double noise, const For_each& for_each)
   {
-    const int more = averaging::rounds_of_smoothing(noise / m_mean_edge) - averaging::rounds_of_smoothing(0);
-    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, more);
+    m_normals = averaging::smoothed(averaging::normals_of_tangent_planes(m_surface, m_mean_edge, for_each),
+                                    m_surface.neighbors, averaging::rounds_of_smoothing(noise / m_mean_edge));
     return m_surface;
   }
 
