@@ -44,7 +44,7 @@ public:
       m_piece_size(1 + piece_bytes / (m_stride * sizeof(FT))), m_numbers_of_coefficients(size, is_empty)
   {
     for (std::size_t i = 0; i < size; i += m_piece_size)
-      m_pieces.emplace_back(new FT[m_stride * (std::min)(m_piece_size, size - i)]);
+      m_pieces.push_back(std::unique_ptr<FT[]>(new FT[m_stride * (std::min)(m_piece_size, size - i)]));
   }
 
   void prefetch(std::size_t i)
