@@ -92,8 +92,8 @@ public:
   }
 
 private:
-  // Heights are polynomials of low degree as far as the surface turns by 60 degrees, potentials farther.
-  double least_cosine() const { return m_height == Height::z ? 0.5 : 0.3; }
+  // Potentials are polynomials of low degree farther.
+  double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : 0.3; }
 
   // Of z, in the height.
   double share(std::size_t vertex, const Local_frame& frame) const

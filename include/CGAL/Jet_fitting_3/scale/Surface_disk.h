@@ -53,6 +53,9 @@ inline Basis_3<double> axes_around(const Vector_3<double>& direction)
   return {unit_x, cross(z, unit_x), z};
 }
 
+/// As far as the surface turns by 60 degrees heights over the tangent plane are polynomials of low degree.
+constexpr double least_cosine_of_heights = 0.5;
+
 /// Collects vertices around one; keeps its tables from call to call. One a thread.
 template <class Neighbors>
 class Walker

@@ -30,7 +30,7 @@ bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbor
 {
   const std::size_t degree = jet.degree(), unknowns = number_of_jet_coefficients(degree);
   typename Walker<Neighbors>::Disk disk;
-  walker.disk(i, frame, radius, 1, 0.5, 4 * unknowns, disk);
+  walker.disk(i, frame, radius, 1, least_cosine_of_heights, 4 * unknowns, disk);
   if (disk.vertices.size() < 2 * unknowns) return false;
   const double unit = numeric::power_of_two_above(std::max(disk.distances.back(), 1e-300));
   Samples<double> samples;

@@ -47,12 +47,7 @@ public:
       m_pieces.push_back(std::unique_ptr<FT[]>(new FT[m_stride * (std::min)(m_piece_size, size - i)]));
   }
 
-  void prefetch(std::size_t i)
-  {
-    const char* const begin = reinterpret_cast<const char*>(numbers(i));
-    const std::size_t cache_line = 64;
-    for (std::size_t j = 0; j < m_stride * sizeof(FT); j += cache_line) internal::prefetch(begin + j);
-  }
+  void prefetch(std::size_t i) { internal::prefetch(numbers(i), m_stride * sizeof(FT)); }
 
   void set(std::size_t i, const Form& form)
   {

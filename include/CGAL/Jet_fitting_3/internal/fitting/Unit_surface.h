@@ -30,6 +30,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
 class Unit_surface
 {
+  static constexpr int first_rounds = 3; // of the normals of the mesh: over two edges or so
+
   struct Neighbors
   {
     const Adjacency* adjacency;
@@ -43,7 +45,8 @@ public:
 
   template <class Tables>
   explicit Unit_surface(const Tables& tables)
-    : m_points(points(tables)), m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, 3)),
+    : m_points(points(tables)),
+      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, first_rounds)),
       m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_mean_edge(averaging::mean_edge(m_surface))
   {}
 

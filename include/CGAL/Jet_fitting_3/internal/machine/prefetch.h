@@ -29,18 +29,23 @@ inline void prefetch(const void* address)
 #endif
 }
 
+/// Prefetches the cache lines of so many bytes, at least one.
+inline void prefetch(const void* address, std::size_t size)
+{
+  const std::size_t cache_line = 64;
+  const char* const begin = static_cast<const char*>(address);
+  for (std::size_t i = 0; i < size; i += cache_line) prefetch(begin + i);
+  prefetch(begin + size - 1);
+}
+
 /// Prefetches the value of a key, if the map hands out references: others do not tell where their values are.
 template <class PropertyMap, class Key>
 void prefetch_value(const PropertyMap& map, const Key& key)
 {
   using Traits = boost::property_traits<PropertyMap>;
   if constexpr (std::is_convertible<typename Traits::category, boost::lvalue_property_map_tag>::value &&
-                std::is_lvalue_reference<typename Traits::reference>::value) {
-    const std::size_t cache_line = 64, size = sizeof(typename Traits::value_type);
-    const char* const begin = reinterpret_cast<const char*>(std::addressof(get(map, key)));
-    for (std::size_t i = 0; i < size; i += cache_line) prefetch(begin + i);
-    prefetch(begin + size - 1);
-  }
+                std::is_lvalue_reference<typename Traits::reference>::value)
+    prefetch(std::addressof(get(map, key)), sizeof(typename Traits::value_type));
 }
 
 } // namespace internal
