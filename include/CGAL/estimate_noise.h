@@ -49,7 +49,7 @@ template <class ConcurrencyTag, class PointRange, class NamedParameters>
 Noise noise_of_points(const PointRange& points, const NamedParameters& np)
 {
   using Kernel = Kernel_of_range<PointRange, NamedParameters>;
-  Point_set_tables<Kernel> read = point_set_tables(points, np);
+  Point_set_tables<Kernel> read = point_set_tables(ConcurrencyTag(), points, np);
   const std::optional<Unit_normals> given = unit_normals_if_any(points, np, read.size());
   const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
   const Unit_normals normals = given.value_or(Unit_normals()).reordered(tables.samples.tree().numbers());

@@ -67,7 +67,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
 ///
 /// For n points with N neighbors each the fits take the time O(n N N_d^2), N_d = (d+1)(d+2)/2, the search about
-/// O(n (N + log n)). The range is only read, and may be used by other threads meanwhile.
+/// O(n (N + log n)). The range is only read, and may be used by other threads meanwhile. A map that is given is read by
+/// the calling thread only.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class Neighborhood, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!Jet_fitting::internal::Is_range_of_numbers<Neighborhood>::value, int> = 0>

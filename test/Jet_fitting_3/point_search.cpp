@@ -64,11 +64,12 @@ struct Data
 template <class Number, class Tag>
 Sample_set<Number> sample_set(const Data<Number>& data, const std::vector<std::size_t>& order, Tag tag)
 {
-  std::vector<typename Point_tree<Number>::Point> points;
-  Normal_table normals(data.places.size());
-  for (const std::size_t i : order) {
-    if (!data.normals.empty()) normals.set(Index(points.size()), data.normals[i]);
-    points.push_back({data.places[i], Index(points.size())});
+  typename Point_tree<Number>::Points points;
+  points.resize(order.size());
+  Normal_table normals(order.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    if (!data.normals.empty()) normals.set(i, data.normals[order[i]]);
+    points[i] = {data.places[order[i]], i};
   }
   return Sample_set<Number>(std::move(points), normals, tag);
 }

@@ -23,6 +23,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <utility>
@@ -97,7 +98,7 @@ compare_point_neighborhoods(const PointRange& points, const NumberRange& sample,
 {
   using namespace internal;
   using Kernel = Kernel_of_range<PointRange, Named_function_parameters<T, Tag, Base>>;
-  Point_set_tables<Kernel> read = point_set_tables(points, np);
+  Point_set_tables<Kernel> read = point_set_tables(Sequential_tag(), points, np);
   const std::size_t size = read.size();
   const std::vector<double> weights = read_point_weights(np, points, size, options.point_weights);
   const Sample_tables<Kernel> tables(Sequential_tag(), std::move(read.points), read.normals);

@@ -109,7 +109,7 @@ std::vector<double> nearest_reach(const PointRange& points, std::ptrdiff_t k,
   using namespace internal;
   using Kernel = Kernel_of_range<PointRange, NamedParameters>;
   if (k < 1) throw Invalid_input("nearest_reach() needs k >= 1: got " + std::to_string(k));
-  Point_set_tables<Kernel> read = point_set_tables(points, np);
+  Point_set_tables<Kernel> read = point_set_tables(ConcurrencyTag(), points, np);
   const std::size_t size = read.size();
   const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
   std::vector<double> of_samples(tables.size());

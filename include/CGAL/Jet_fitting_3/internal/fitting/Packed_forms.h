@@ -10,6 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Monge_form.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/machine/prefetch.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,15 +65,25 @@ public:
     m_numbers_of_coefficients[i] = static_cast<std::uint16_t>(form.coefficients().size());
   }
 
-  /// Afterwards there are none. \param count how many are handed out
-  template <class OutputIterator>
+  /// Afterwards there are none. Forms are made by one thread while those before are written by another.
+  /// \param count how many are handed out
+  template <class ConcurrencyTag, class OutputIterator>
   void write(std::size_t count, OutputIterator output)
   {
+    std::vector<Form> made, next;
     std::size_t i = 0;
-    for (std::unique_ptr<FT[]>& piece : m_pieces) {
-      for (const std::size_t end = (std::min)(count, i + m_piece_size); i < end; ++i) *output++ = form(i);
-      piece.reset();
-    }
+    const auto make = [&] {
+      next.clear();
+      for (const std::size_t end = (std::min)(count, i + block_size); i < end; ++i) next.push_back(form(i));
+      for (std::size_t piece = 0; piece < i / m_piece_size; ++piece) m_pieces[piece].reset();
+    };
+    const auto write = [&] {
+      for (Form& form : made) *output++ = std::move(form);
+    };
+    do {
+      do_both<ConcurrencyTag>(write, make); // the second in this thread: in others allocating is slower
+      made.swap(next);
+    } while (!made.empty());
   }
 
 private:

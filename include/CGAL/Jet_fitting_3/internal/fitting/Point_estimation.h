@@ -60,7 +60,7 @@ public:
   template <class ConcurrencyTag>
   Point_estimation(ConcurrencyTag tag, const PointRange& points, const Neighborhood& neighborhood,
                    const NamedParameters& np, const Options& options)
-    : m_neighborhood(neighborhood), m_given(np), m_read(point_set_tables(points, np)), m_size(m_read.size()),
+    : m_neighborhood(neighborhood), m_given(np), m_read(point_set_tables(tag, points, np)), m_size(m_read.size()),
       m_options(with_weights(options, points, np)),
       m_normals(options.use_normals ? read_unit_normals(points, np, m_size) : Unit_normals()), m_tables(tables_of(tag)),
       m_estimator(estimator_of(tag))
@@ -122,7 +122,7 @@ public:
       Sample_forms<Kernel, Wanted> forms(m_given.dprime, wanted, rows, m_tables.samples, sample_of, m_read.normals,
                                          has_qualities);
       const Estimation_reports of_rows = estimate_rows<ConcurrencyTag>(rows, make_gatherer, std::ref(forms), progress);
-      return forms.write(of_rows, output);
+      return forms.template write<ConcurrencyTag>(of_rows, output);
     }
   }
 

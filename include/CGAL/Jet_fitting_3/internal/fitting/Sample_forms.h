@@ -116,14 +116,14 @@ public:
 
   /// Writes the forms up to the first that was not reached.
   /// \return the reports of the points, with what those of the rows say of the whole
-  template <class OutputIterator>
+  template <class ConcurrencyTag, class OutputIterator>
   Estimation_reports write(const Estimation_reports& of_rows, OutputIterator output)
   {
     const auto is_unknown = [](Estimation_status s) { return s.is_unknown(); };
     const auto begin = m_reports.statuses.begin(), end = m_reports.statuses.end(),
                unknown = std::find_if(begin, end, is_unknown);
     std::fill(unknown, end, Estimation_status());
-    m_forms.write(std::size_t(unknown - begin), output);
+    m_forms.template write<ConcurrencyTag>(std::size_t(unknown - begin), output);
     m_reports.cancelled = of_rows.cancelled;
     m_reports.noise = of_rows.noise;
     return std::move(m_reports);

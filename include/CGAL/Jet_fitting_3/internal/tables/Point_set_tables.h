@@ -90,21 +90,38 @@ struct Point_set_tables
   Index index(Item i) const { return i < size() ? static_cast<Index>(i) : no_index; }
 };
 
+/// Whether several threads may read the points of a range: those that lie in memory. A map that the user gives is read
+/// by the calling thread only.
 template <class Range, class NamedParameters>
-auto read_points(const Range& range, const NamedParameters& np)
+constexpr bool has_points_in_memory()
 {
+  using Iterator = decltype(std::begin(std::declval<const Range&>()));
+  using Traits = std::iterator_traits<Iterator>;
+  return parameters::is_default_parameter<NamedParameters, internal_np::point_t>::value &&
+         std::is_base_of<std::random_access_iterator_tag, typename Traits::iterator_category>::value &&
+         std::is_same<typename Traits::reference, const typename Traits::value_type&>::value;
+}
+
+template <class ConcurrencyTag, class Range, class NamedParameters>
+auto read_points(ConcurrencyTag tag, const Range& range, const NamedParameters& np)
+{
+  using Table = Point_table<Kernel_of_range<Range, NamedParameters>>;
   const auto size = static_cast<std::size_t>(std::distance(std::begin(range), std::end(range)));
   if (size >= most_vertices)
     throw Invalid_input("a set of " + std::to_string(size) + " points is too large: the limit is " +
                         std::to_string(most_vertices - 1));
   const auto point_map = point_map_of(range, np);
   auto item = std::begin(range);
-  const auto next_point = [&](Index) {
-    const Point_of_range<Range, NamedParameters> p = get(point_map, *item);
-    ++item;
-    return p;
-  };
-  return Point_table<Kernel_of_range<Range, NamedParameters>>(Sequential_tag(), Sequential_tag(), size, next_point);
+  if constexpr (has_points_in_memory<Range, NamedParameters>()) {
+    return Table(tag, tag, size, [&](Index i) -> decltype(auto) { return get(point_map, *(item + i)); });
+  } else {
+    const auto next_point = [&](Index) {
+      const Point_of_range<Range, NamedParameters> p = get(point_map, *item);
+      ++item;
+      return p;
+    };
+    return Table(Sequential_tag(), tag, size, next_point);
+  }
 }
 
 /// Whether there is a map of normals, or may be one.
@@ -158,11 +175,11 @@ Unit_normals read_unit_normals(const Range& range, const NamedParameters& np, st
 }
 
 /// Copies what is needed of a range into tables, once for each call.
-template <class Range, class NamedParameters>
-Point_set_tables<Kernel_of_range<Range, NamedParameters>> point_set_tables(const Range& range,
+template <class ConcurrencyTag, class Range, class NamedParameters>
+Point_set_tables<Kernel_of_range<Range, NamedParameters>> point_set_tables(ConcurrencyTag tag, const Range& range,
                                                                            const NamedParameters& np)
 {
-  auto points = read_points(range, np);
+  auto points = read_points(tag, range, np);
   Normal_table normals = read_normals(range, np, points.size());
   return {std::move(points), std::move(normals)};
 }

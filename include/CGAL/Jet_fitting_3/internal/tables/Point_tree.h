@@ -11,6 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/select_nth.h>
 
@@ -44,6 +45,8 @@ public:
     Index number;
   };
 
+  using Points = numeric::Buffer<Point, 1>;
+
   struct Box
   {
     Place low, high;
@@ -55,7 +58,7 @@ public:
 
   /// The points are finite, and 0 has no sign. Only their order changes.
   template <class ConcurrencyTag>
-  Point_tree(std::vector<Point>& points, ConcurrencyTag) : m_size(points.size()), m_numbers(points.size())
+  Point_tree(Points& points, ConcurrencyTag) : m_size(points.size()), m_numbers(points.size())
   {
     m_last_level = level_of_size(leaf_size);
     m_boxes.resize(std::size_t(2) << m_last_level);

@@ -32,6 +32,7 @@ class Sample_set
 {
   using Tree = Point_tree<Number>;
   using Point = typename Tree::Point;
+  using Points = typename Tree::Points;
 
 public:
   /// A point beside the one that stands for the sample.
@@ -42,7 +43,7 @@ public:
 
   /// The numbers of the points, which are finite, are their places in the table of normals.
   template <class ConcurrencyTag>
-  Sample_set(std::vector<Point> points, const Normal_table& normals, ConcurrencyTag tag) : m_tree(points, tag)
+  Sample_set(Points points, const Normal_table& normals, ConcurrencyTag tag) : m_tree(points, tag)
   {
     if (!m_tree.places_are_distinct()) {
       const std::vector<Index> representatives = merge(points, normals);
@@ -89,7 +90,7 @@ public:
 private:
   /// Leaves one point of each sample, numbered in the order of places and normals, which does not depend on that of the
   /// points. Returns the numbers that they had.
-  std::vector<Index> merge(std::vector<Point>& points, const Normal_table& normals)
+  std::vector<Index> merge(Points& points, const Normal_table& normals)
   {
     const auto key = [&](const Point& p) {
       const Vector_3<float> n = normals[p.number];
@@ -97,22 +98,21 @@ private:
     };
     std::sort(points.begin(), points.end(),
               [&](const Point& a, const Point& b) { return a.place != b.place ? a.place < b.place : key(a) < key(b); });
-    std::vector<Point> merged;
     std::vector<Index> representatives;
-    std::size_t first = 0; // of the samples at the place
+    std::size_t first = 0, size = 0; // of the samples at the place, of all
     for (const Point& p : points) {
-      if (first < merged.size() && merged[first].place != p.place) first = merged.size();
+      if (first < size && points[first].place != p.place) first = size;
       std::size_t sample = first;
-      while (sample < merged.size() && !is_same(normals, representatives[sample], p.number)) ++sample;
-      if (sample < merged.size()) {
+      while (sample < size && !is_same(normals, representatives[sample], p.number)) ++sample;
+      if (sample < size) {
         m_copies.push_back({p.number, Index(sample)});
         continue;
       }
-      merged.push_back({p.place, Index(sample)});
       representatives.push_back(p.number);
       if (sample > first) m_shared.push_back({Index(first), Index(sample)});
+      points[size++] = {p.place, Index(sample)};
     }
-    points.swap(merged);
+    points.resize(size);
     return representatives;
   }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/Exact_first_converter.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_tree.h>
@@ -18,10 +19,12 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/difference.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,8 +49,8 @@ public:
   /// From tables in the order of the points.
   template <class ConcurrencyTag>
   Sample_tables(ConcurrencyTag tag, Point_table<Kernel>&& read, const Normal_table& normals_read)
-    : m_origin(origin_of(read)), samples(take_places(read, m_origin), normals_read, tag), points(in_order(tag, read)),
-      normals(samples.normals())
+    : m_origin(origin_of(read)), samples(take_places(tag, read, m_origin), normals_read, tag),
+      points(in_order(tag, read)), normals(samples.normals())
   {}
 
   Sample_tables(const Sample_tables&) = delete;
@@ -78,15 +81,23 @@ private:
   }
 
   /// Of the finite points. The table is given up early if places are all that it holds.
-  static std::vector<Place_and_number> take_places(Point_table<Kernel>& read, const Vector_3<Data_number>& origin)
+  template <class ConcurrencyTag>
+  static typename Point_tree<Number>::Points take_places(ConcurrencyTag, Point_table<Kernel>& read,
+                                                         const Vector_3<Data_number>& origin)
   {
-    std::vector<Place_and_number> result;
-    result.reserve(read.size());
-    for (Index i = 0; i < read.size(); ++i) {
-      if (!read.is_finite(i)) continue;
-      const Place place = place_of(read[i], origin);
-      if (std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2])) result.push_back({place, i});
-    }
+    using Tag = std::conditional_t<is_floating, ConcurrencyTag, Sequential_tag>; // exact numbers may be handles
+    constexpr Number unknown = std::numeric_limits<Number>::quiet_NaN();
+    typename Point_tree<Number>::Points result;
+    result.resize(read.size());
+    for_each_number<Tag>(read.size(), [&](std::size_t k) {
+      const Index i = static_cast<Index>(k);
+      result[k] = {read.is_finite(i) ? place_of(read[i], origin) : Place{unknown, unknown, unknown}, i};
+    });
+    const auto is_nowhere = [](const Place_and_number& p) {
+      return !(std::isfinite(p.place[0]) && std::isfinite(p.place[1]) && std::isfinite(p.place[2]));
+    };
+    if (!is_floating || !read.all_are_finite())
+      result.resize(std::size_t(std::remove_if(result.begin(), result.end(), is_nowhere) - result.begin()));
     if constexpr (is_floating) read = Point_table<Kernel>();
     return result;
   }
