@@ -11,6 +11,7 @@
 #include "check.h"
 
 #include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
+#include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +36,21 @@ std::vector<Vector> random_samples(std::size_t n, unsigned seed)
   return samples;
 }
 
+void add(scale::Moments& moments, const std::vector<Vector>& samples, std::size_t n)
+{
+  moments.add<scale::highest_degree, scale::highest_degree + scale::highest_order>(samples.data(), n);
+}
+
 scale::Moments moments_of(const std::vector<Vector>& samples, std::size_t n)
 {
   scale::Moments moments;
-  for (std::size_t i = 0; i < n; ++i) moments.add(samples[i].x, samples[i].y, samples[i].z);
+  add(moments, samples, n);
   return moments;
 }
 
 scale::Candidate fit(const std::vector<Vector>& samples, std::size_t n, std::size_t degree, std::size_t order)
 {
-  return scale::candidate(moments_of(samples, n), degree, n, 1, order);
+  return scale::candidate(moments_of(samples, n), degree, n, 1, order, true);
 }
 
 // What row j of a fit becomes if the heights are those of x^(k - l) y^l.
@@ -52,7 +58,7 @@ double answer(std::vector<Vector> samples, std::size_t n, std::size_t degree, st
               std::size_t k, std::size_t l)
 {
   for (Vector& s : samples) s.z = std::pow(s.x, double(k - l)) * std::pow(s.y, double(l));
-  return fit(samples, n, degree, order).rows[j].value;
+  return fit(samples, n, degree, order).values[j];
 }
 
 void responses_are_what_fits_answer()
@@ -81,7 +87,7 @@ void covariances_are_sums_over_samples()
         for (Vector& s : samples) {
           s.z = 1;
           const auto a = fit(samples, fewer, degree_a, 2), b = fit(samples, 100, degree_b, 2);
-          for (std::size_t j = 0; j < 3; ++j) expected += a.rows[j].value * b.rows[j].value;
+          for (std::size_t j = 0; j < 3; ++j) expected += a.values[j] * b.values[j];
           s.z = 0;
         }
         const double found =
@@ -153,12 +159,12 @@ void model_finds_the_variances_of_terms()
           for (std::size_t j = 0; j <= k; ++j)
             z += c[scale::term_index(k, j)] * std::pow(double(x), double(k - j)) * std::pow(double(y), double(j));
         for (std::size_t s = 0; s < shells.size(); ++s)
-          if (std::hypot(x, y) <= ladder.radii[s]) shells[s].add(x, y, z);
+          if (std::hypot(x, y) <= ladder.radii[s]) add(shells[s], {{double(x), double(y), z}}, 1);
       }
     scale::Candidates candidates;
     for (std::size_t i = 0; i < ladder.size(); ++i) {
       const std::size_t s = ladder.shell(i);
-      candidates.push_back(scale::candidate(shells[s], ladder.degree(i), s, ladder.radii[s], 2));
+      candidates.push_back(scale::candidate(shells[s], ladder.degree(i), s, ladder.radii[s], 2, true));
     }
     places.push_back(scale::compare_all(candidates, ladder, {0, 3}, noise * noise));
   }
@@ -203,11 +209,9 @@ void add_fixed(std::vector<double>& sums, const scale::Surface_points<Neighbors>
   std::vector<std::size_t> found, ends;
   walker.rings(i, 12, found, ends);
   for (std::size_t rings = 2; rings <= 12; ++rings) {
-    scale::Moments moments;
-    for (std::size_t k = 0; k < ends[rings]; ++k) {
-      const Vector q = 1 / unit * frame.in(surface.points[found[k]]);
-      moments.add(q.x, q.y, q.z);
-    }
+    std::vector<Vector> samples;
+    for (std::size_t k = 0; k < ends[rings]; ++k) samples.push_back(1 / unit * frame.in(surface.points[found[k]]));
+    const scale::Moments moments = moments_of(samples, samples.size());
     for (const std::size_t degree : {2, 4}) {
       const scale::Normal_matrix matrix(moments, degree);
       double& sum = sums[2 * rings + degree / 4];

@@ -75,9 +75,10 @@ struct Noisy_mesh
       const survey::Vector e = noise * edge * random.normal_vector();
       mesh.point(v) = mesh.point(v) + Kernel::Vector_3(e.x, e.y, e.z);
     }
-    constexpr std::size_t asked = 300;
+    constexpr std::size_t asked = 300; // one in each part of the vertices: equal steps would see few rows of a grid
     for (std::size_t k = 0; k < asked; ++k) {
-      vertices.push_back(Vertex(Mesh::size_type((k * 2 + 1) * exact.points.size() / (2 * asked))));
+      const double place = (double(k) + random.uniform()) / double(asked);
+      vertices.push_back(Vertex(Mesh::size_type(place * double(exact.points.size()))));
       truth.push_back(exact.truth[vertices.back()]);
     }
   }

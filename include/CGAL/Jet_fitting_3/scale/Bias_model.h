@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -71,22 +72,37 @@ struct Comparison
   bool exists() const { return variance >= 0; }
 };
 
-inline Comparison compare(const Candidate& a, const Candidate& b, const Target& target, double square_of_noise)
+/// Of one candidate.
+struct Own_errors
+{
+  double variance = 0; ///< per square of the noise
+  Of_orders terms{};   ///< squared bias per variance of the terms of each order
+
+  Own_errors() = default;
+  Own_errors(const Candidate& c, const Target& target)
+  {
+    if (!c) return;
+    variance = covariance(c, c, target);
+    terms = error_products(c, c, target);
+  }
+};
+
+inline Comparison compare(const Candidate& a, const Candidate& b, const Own_errors& of_a, const Own_errors& of_b,
+                          const Target& target, double square_of_noise)
 {
   Comparison result;
   if (!a || !b) return result;
   double square = 0, size = 0;
   for (std::size_t i = target.first; i < target.last; ++i) {
-    square += (a.rows[i].value - b.rows[i].value) * (a.rows[i].value - b.rows[i].value);
-    size += a.rows[i].value * a.rows[i].value;
+    square += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
+    size += a.values[i] * a.values[i];
   }
-  const double sum = covariance(a, a, target) + covariance(b, b, target) - 2 * covariance(a, b, target);
+  const double sum = of_a.variance + of_b.variance - 2 * covariance(a, b, target);
   const double variance = square_of_noise * std::max(0., sum);
   result.excess = square - variance;
   result.variance = std::max(variance, 1e-18 * size + 1e-200);
-  const Of_orders aa = error_products(a, a, target), bb = error_products(b, b, target),
-                  ab = error_products(a, b, target);
-  for (std::size_t k = 0; k < aa.size(); ++k) result.terms[k] = aa[k] + bb[k] - 2 * ab[k];
+  const Of_orders products = error_products(a, b, target);
+  for (std::size_t k = 0; k < products.size(); ++k) result.terms[k] = of_a.terms[k] + of_b.terms[k] - 2 * products[k];
   return result;
 }
 
@@ -95,9 +111,14 @@ using Comparisons = std::vector<Comparison>;
 inline Comparisons compare_all(const Candidates& candidates, const Ladder& ladder, const Target& target,
                                double square_of_noise)
 {
+  std::vector<Own_errors> own;
+  own.reserve(candidates.size());
+  for (const Candidate& c : candidates) own.emplace_back(c, target);
   Comparisons result;
+  result.reserve(ladder.pairs.size());
   for (const Pair& pair : ladder.pairs)
-    result.push_back(compare(candidates[pair.first], candidates[pair.second], target, square_of_noise));
+    result.push_back(compare(candidates[pair.first], candidates[pair.second], own[pair.first], own[pair.second], target,
+                             square_of_noise));
   return result;
 }
 
@@ -302,13 +323,30 @@ inline Mean_scale mean_scale(const Choice& choice, const Ladder& ladder)
   return mean;
 }
 
+/// The candidates that exist, but for those whose own risk is so many times the least that they get no weight.
+inline std::vector<std::size_t> promising(const Candidates& candidates, const Bias_model& model, const Target& target,
+                                          double square_of_noise)
+{
+  constexpr double hopeless = 25;
+  std::vector<double> risks(candidates.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (!candidates[i]) continue;
+    const Own_errors own(candidates[i], target);
+    risks[i] = square_of_noise * own.variance + std::max(squared_bias(model.terms, own.terms), model.least[i]);
+    least = std::min(least, risks[i]);
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i] && risks[i] <= hopeless * least) result.push_back(i);
+  return result;
+}
+
 /// Weights with the least expected squared error. None if there is no candidate.
 inline Choice choose(const Candidates& candidates, const Bias_model& model, const Target& target,
                      double square_of_noise)
 {
-  std::vector<std::size_t> existing;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (candidates[i]) existing.push_back(i);
+  const std::vector<std::size_t> existing = promising(candidates, model, target, square_of_noise);
   const std::size_t n = existing.size();
   Choice choice;
   if (n == 0) return choice;

@@ -41,10 +41,12 @@ inline double binomial(std::size_t n, std::size_t k)
   return all.of_terms[term_index(n, k)];
 }
 
+/// That of a number up to 6 or so, as a number.
+constexpr double factorial(std::size_t n) { return n < 2 ? 1 : double(n) * factorial(n - 1); }
+
 /// One linear estimate made by a fit.
 struct Estimate_row
 {
-  double value = 0;
   std::array<double, number_of_jet_coefficients(highest_degree)>
       of_moments{}; ///< value = sum of these times Moments::heights
   std::array<double, number_of_jet_coefficients(highest_order)>
@@ -58,7 +60,9 @@ struct Candidate
 {
   std::size_t degree = 0, shell = 0; ///< degree 0: the samples do not determine the jet
   std::array<double, 2> slopes{};    ///< z_x, z_y
-  std::vector<Estimate_row> rows;
+  std::array<double, 5> values{};    ///< of the rows
+  double variance = 0;               ///< of all rows per square of the noise, summed
+  std::vector<Estimate_row> rows;    ///< none where only values are wanted
 
   explicit operator bool() const { return degree > 0; }
 };
@@ -105,10 +109,14 @@ inline Of_orders error_products(const Candidate& a, const Candidate& b, const Ta
   return result;
 }
 
-/// Cholesky factorization of normal equations whose columns are scaled to length 1.
+/// Cholesky factorization of normal equations whose columns are scaled to length 1. High orders come first: the
+/// coefficients of low orders, and how certain they are, follow from the end of the factor alone.
 class Normal_matrix
 {
   static constexpr std::size_t most = number_of_jet_coefficients(highest_degree);
+  static constexpr std::size_t lanes = (std::max)(2, numeric::native_lanes<double>());
+  using Pack = numeric::Pack<double, int(lanes)>;
+  using Row = std::array<double, most + lanes>; // of any width, with zeros after it
 
 public:
   /// Of a fit of this degree.
@@ -117,12 +125,14 @@ public:
     std::size_t a = 0;
     for (std::size_t order = 0; order <= degree; ++order)
       for (std::size_t j = 0; j <= order; ++j, ++a) {
-        m_scale[a] = 1 / std::sqrt(moments.terms[term_index(2 * order, 2 * j)]);
-        if (!std::isfinite(m_scale[a])) return;
+        double& scale = m_scale[m_size - 1 - a];
+        scale = 1 / std::sqrt(moments.terms[term_index(2 * order, 2 * j)]);
+        if (!std::isfinite(scale)) return;
         std::size_t b = 0;
         for (std::size_t lower = 0; lower <= order; ++lower)
           for (std::size_t i = 0; i <= lower && b <= a; ++i, ++b)
-            m_factor[a][b] = m_scale[a] * m_scale[b] * moments.terms[term_index(order + lower, i + j)];
+            m_factor[m_size - 1 - a][m_size - 1 - b] =
+                scale * m_scale[m_size - 1 - b] * moments.terms[term_index(order + lower, i + j)];
       }
     m_is_regular = factorize();
   }
@@ -130,40 +140,98 @@ public:
   /// Whether the samples determine the jet, to about seven digits.
   bool is_regular() const { return m_is_regular; }
 
-  /// Solves for one right side, in place.
+  /// Solves for one right side, in place, as far as the first coefficients, or all of them.
   template <class Vector>
-  void solve(Vector& x) const
+  void solve(Vector& x, std::size_t first = most) const
   {
-    for (std::size_t a = 0; a < m_size; ++a) {
-      double sum = m_scale[a] * x[a];
-      for (std::size_t b = 0; b < a; ++b) sum -= m_factor[a][b] * x[b];
-      x[a] = sum / m_factor[a][a];
-    }
-    for (std::size_t a = m_size; a-- > 0;) {
-      x[a] /= m_factor[a][a];
-      for (std::size_t b = 0; b < a; ++b) x[b] -= m_factor[a][b] * x[a];
-    }
-    for (std::size_t a = 0; a < m_size; ++a) x[a] *= m_scale[a];
+    Row y{};
+    for (std::size_t a = 0; a < m_size; ++a) y[a] = m_scale[a] * x[m_size - 1 - a];
+    forward(y, 0);
+    backward(y, first);
+    for (std::size_t a = 0; a < std::min(first, m_size); ++a) x[a] = y[m_size - 1 - a];
+  }
+
+  /// The column of the inverse matrix for one coefficient.
+  std::array<double, most> column(std::size_t coefficient) const
+  {
+    std::array<double, most> result{};
+    Row y{};
+    const std::size_t own = m_size - 1 - coefficient;
+    y[own] = m_scale[own];
+    forward(y, own);
+    backward(y, m_size);
+    for (std::size_t a = 0; a < m_size; ++a) result[a] = y[m_size - 1 - a];
+    return result;
+  }
+
+  /// The diagonal entry of the inverse matrix for one coefficient.
+  double variance(std::size_t coefficient) const
+  {
+    Row y{};
+    const std::size_t own = m_size - 1 - coefficient;
+    y[own] = m_scale[own];
+    forward(y, own);
+    double sum = 0;
+    for (std::size_t a = own; a < m_size; ++a) sum += y[a] * y[a];
+    return sum;
   }
 
 private:
+  // Row by row, each taken off those below.
   bool factorize()
   {
-    for (std::size_t a = 0; a < m_size; ++a)
-      for (std::size_t b = 0; b <= a; ++b) {
-        double sum = m_factor[a][b];
-        for (std::size_t k = 0; k < b; ++k) sum -= m_factor[a][k] * m_factor[b][k];
-        if (a == b && !(sum > 1e-13)) return false;
-        m_factor[a][b] = a == b ? std::sqrt(sum) : sum / m_factor[b][b];
-      }
+    for (std::size_t a = 0; a < m_size; ++a) {
+      Row& row = m_factor[a];
+      if (!(row[a] > 1e-13)) return false;
+      const double per_root = 1 / std::sqrt(row[a]);
+      for (std::size_t b = a; b < m_size; ++b) row[b] *= per_root;
+      m_per_diagonal[a] = 1 / row[a];
+      for (std::size_t below = a + 1; below < m_size; ++below) subtract(row[below], row, m_factor[below], below);
+    }
     return true;
+  }
+
+  void forward(Row& y, std::size_t begin) const
+  {
+    for (std::size_t a = begin; a < m_size; ++a) {
+      y[a] *= m_per_diagonal[a];
+      subtract(y[a], m_factor[a], y, a + 1);
+    }
+  }
+
+  void backward(Row& y, std::size_t count) const
+  {
+    const std::size_t end = m_size - std::min(count, m_size);
+    for (std::size_t a = m_size; a-- > end;) {
+      Pack products = 0;
+      for (std::size_t b = a + 1; b < m_size; b += lanes)
+        products = products + Pack::load(&m_factor[a][b]) * Pack::load(&y[b]);
+      double sum = y[a];
+      for (std::size_t lane = 0; lane < lanes; ++lane) sum -= products[int(lane)];
+      y[a] = sum * m_per_diagonal[a];
+    }
+    for (std::size_t a = end; a < m_size; ++a) y[a] *= m_scale[a];
+  }
+
+  // Takes so many times the end of one row off another.
+  void subtract(double factor, const Row& row, Row& from, std::size_t begin) const
+  {
+    const Pack f = factor;
+    for (std::size_t b = begin; b < m_size; b += lanes)
+      (Pack::load(&from[b]) - f * Pack::load(&row[b])).store(&from[b]);
   }
 
   std::size_t m_size;
   bool m_is_regular = false;
-  std::array<double, most> m_scale{};
-  std::array<std::array<double, most>, most> m_factor{}; // lower triangle
+  std::array<double, most> m_scale{}, m_per_diagonal;
+  std::array<Row, most> m_factor{}; // upper triangle
 };
+
+/// What makes a coefficient the j-th row for derivatives of this order.
+inline double derivative_factor(std::size_t order, std::size_t j)
+{
+  return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
+}
 
 /// The row for the j-th derivative of this order.
 inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& matrix, std::size_t degree,
@@ -171,48 +239,50 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
 {
   Estimate_row row;
   const std::size_t own = term_index(order, j);
-  const double factor = std::tgamma(double(order - j) + 1) * std::tgamma(double(j) + 1) * std::sqrt(binomial(order, j));
-  row.of_moments[own] = factor;
-  matrix.solve(row.of_moments);
+  const double factor = derivative_factor(order, j);
+  row.of_moments = matrix.column(own);
+  for (double& m : row.of_moments) m *= factor;
   row.responses[own] = factor;
   std::size_t a = 0;
   for (std::size_t k = 0; k <= degree; ++k)
-    for (std::size_t i = 0; i <= k; ++i, ++a) {
-      row.value += row.of_moments[a] * moments.heights[a];
+    for (std::size_t i = 0; i <= k; ++i, ++a)
       for (std::size_t high = degree + 1; high <= highest_order; ++high)
         for (std::size_t l = 0; l <= high; ++l)
           row.responses[term_index(high, l)] += row.of_moments[a] * moments.terms[term_index(high + k, i + l)];
-    }
   return row;
 }
 
 /// The sum of the squares of all derivatives of an order, times their binomial coefficients, that a surface's terms of
 /// that order have in the mean if their coefficients are independent with variances binomial(order, j).
-inline double size_of_unit_terms(std::size_t order)
-{
-  const double factorial = std::tgamma(double(order) + 1);
-  return double(order + 1) * factorial * factorial;
-}
+inline double size_of_unit_terms(std::size_t order) { return double(order + 1) * factorial(order) * factorial(order); }
 
 /// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
 /// coefficient, or the samples hardly determine it (noise would grow to more than 100 / radius^order times the
 /// derivatives of a term with unit coefficients).
+/// \param with_rows which take the most time; they need moments of all orders
 inline Candidate candidate(const Moments& moments, std::size_t degree, std::size_t shell, double radius,
-                           std::size_t order)
+                           std::size_t order, bool with_rows)
 {
   Candidate result;
   if (degree < order || moments.size() < 1.3 * double(number_of_jet_coefficients(degree))) return result;
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
   auto solution = moments.heights;
-  matrix.solve(solution);
+  matrix.solve(solution, number_of_jet_coefficients(order));
   result.slopes = {solution[1], solution[2]};
-  for (std::size_t j = 0; j <= order; ++j) result.rows.push_back(estimate_row(moments, matrix, degree, order, j));
+  double bound = 1e4 * size_of_unit_terms(order);
+  for (std::size_t k = 0; k < order; ++k) bound /= radius * radius;
+  for (std::size_t j = 0; j <= order; ++j) {
+    const double factor = derivative_factor(order, j);
+    result.values[j] = factor * solution[term_index(order, j)];
+    result.variance += factor * factor * matrix.variance(term_index(order, j));
+  }
+  if (!(result.variance > 0 && result.variance < bound)) return result;
   result.degree = degree;
   result.shell = shell;
-  const double variance = covariance(result, result, {0, order + 1});
-  const double in_disk = variance * std::pow(radius, 2 * double(order));
-  if (!(variance > 0 && in_disk < 1e4 * size_of_unit_terms(order))) result.degree = 0;
+  if (!with_rows) return result;
+  result.rows.reserve(order + 1);
+  for (std::size_t j = 0; j <= order; ++j) result.rows.push_back(estimate_row(moments, matrix, degree, order, j));
   return result;
 }
 
@@ -224,13 +294,15 @@ inline Candidate turned(const Candidate& c, double cosine, double sine)
   const double turn[3][3] = {{c2, r, s2}, {-r, c2 - s2, r}, {s2, -r, c2}};
   Candidate result = c;
   for (std::size_t i = 0; i < 3; ++i) {
-    Estimate_row row;
+    result.values[i] = 0;
+    for (std::size_t k = 0; k < 3; ++k) result.values[i] += turn[i][k] * c.values[k];
+    if (c.rows.empty()) continue;
+    Estimate_row& row = result.rows[i];
+    row = {};
     for (std::size_t k = 0; k < 3; ++k) {
-      row.value += turn[i][k] * c.rows[k].value;
       for (std::size_t t = 0; t < row.of_moments.size(); ++t) row.of_moments[t] += turn[i][k] * c.rows[k].of_moments[t];
       for (std::size_t t = 0; t < row.responses.size(); ++t) row.responses[t] += turn[i][k] * c.rows[k].responses[t];
     }
-    result.rows[i] = row;
   }
   return result;
 }

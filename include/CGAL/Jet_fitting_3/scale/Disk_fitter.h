@@ -22,27 +22,47 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// Whether a choice gives a candidate any weight.
 inline bool is_used(const Choice& choice, std::size_t candidate)
 {
-  return choice.exists() && choice.weights[candidate] > 1e-3;
+  return choice.exists() && choice.weights[candidate] > 0.02;
 }
 
 /// Which candidates of a ladder are wanted.
-using Selection = std::vector<bool>;
-
-/// Adds those that a choice uses.
-inline void add_used(Selection& selection, const Choice& choice)
+class Selection
 {
-  for (std::size_t c = 0; c < selection.size(); ++c)
-    if (is_used(choice, c)) selection[c] = true;
-}
+public:
+  /// None.
+  Selection() = default;
+  explicit Selection(const Ladder& ladder) : m_wanted(ladder.size()) {}
+  /// All of the first shells.
+  Selection(const Ladder& ladder, std::size_t shells) : Selection(ladder)
+  {
+    for (std::size_t c = 0; c < ladder.size(); ++c)
+      if (ladder.shell(c) < shells) add(ladder, c);
+  }
 
-/// The number of shells that they need.
-inline std::size_t last_shell(const Selection& selection, const Ladder& ladder)
-{
-  std::size_t last = 0;
-  for (std::size_t c = 0; c < ladder.size(); ++c)
-    if (selection[c]) last = std::max(last, ladder.shell(c) + 1);
-  return last;
-}
+  /// Those that a choice uses.
+  void add(const Ladder& ladder, const Choice& choice)
+  {
+    for (std::size_t c = 0; c < ladder.size(); ++c)
+      if (is_used(choice, c)) add(ladder, c);
+  }
+
+  bool operator[](std::size_t candidate) const { return m_wanted[candidate]; }
+  /// The number of shells that they need.
+  std::size_t shells() const { return m_degrees.size(); }
+  /// The highest degree for which a shell is needed.
+  std::size_t degree(std::size_t shell) const { return m_degrees[shell]; }
+
+private:
+  void add(const Ladder& ladder, std::size_t c)
+  {
+    m_wanted[c] = true;
+    m_degrees.resize(std::max(m_degrees.size(), ladder.shell(c) + 1));
+    for (std::size_t j = 0; j <= ladder.shell(c); ++j) m_degrees[j] = std::max(m_degrees[j], ladder.degree(c));
+  }
+
+  std::vector<bool> m_wanted;
+  std::vector<std::size_t> m_degrees;
+};
 
 /// What is fitted over the tangent plane. The potential z (1 + n_z) / 2, with the unit normal n, has the surface's
 /// derivatives of orders 2 and 3 at the origin; on spheres and cylinders it is exactly quadratic where z is not, and
@@ -64,41 +84,44 @@ public:
     : m_surface(surface), m_unit(unit), m_most(most), m_height(height)
   {}
 
-  /// The candidates at vertex i for derivatives of the given order: those that are selected, or all.
+  /// The candidates at vertex i for derivatives of the given order that are selected.
   /// \param ratio of the axes of the ellipses
+  /// \param with_rows or their values alone
   Candidates operator()(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, double ratio,
-                        const Ladder& ladder, std::size_t order, const Selection* selection) const
+                        const Ladder& ladder, std::size_t order, const Selection& selection, bool with_rows) const
   {
     Candidates result(ladder.size());
-    const std::size_t shells = ladder.radii.size(), last = selection ? last_shell(*selection, ladder) : shells;
-    if (last == 0) return result;
     typename Walker<Neighbors>::Disk disk;
-    walker.disk(i, frame, ladder.radii[last - 1] * m_unit, ratio, least_cosine(), m_most, disk);
+    walker.disk(i, frame, ladder.radii, selection.shells(), {m_unit, ratio, least_cosine(), least, m_most}, disk);
+    if (m_height == Height::potential)
+      for (std::size_t k = 0; k < disk.places.size(); ++k)
+        disk.places[k].z *= (1 + dot(m_surface.normals[disk.vertices[k]], frame.axes.z)) / 2;
     Moments moments;
-    std::size_t k = 0;
-    for (std::size_t j = 0; j < last; ++j) {
-      const std::size_t before = k;
-      const double enough = moments.size() - 1.3 * double(number_of_jet_coefficients(4));
-      for (; k < disk.vertices.size() && disk.distances[k] <= ladder.radii[j] * m_unit; ++k) {
-        const Vector_3<double> q = 1 / m_unit * frame.in(m_surface.points[disk.vertices[k]]);
-        moments.add(q.x, q.y, q.z * share(disk.vertices[k], frame));
-      }
-      if (ladder.radii[j] * m_unit > disk.reach && enough >= 0) break;
-      if (j > 0 && k < before + 3) continue; // the same fit again
-      for (std::size_t c = j; c < ladder.size(); c += shells)
-        if (!selection || (*selection)[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order);
+    for (std::size_t j = 0, k = 0; j < disk.ends.size(); ++j) {
+      const std::size_t count = disk.ends[j] - k;
+      add(disk.places.data() + k, count, selection.degree(j), with_rows, moments);
+      k = disk.ends[j];
+      if (j > 0 && count < 3) continue; // the same fit again
+      for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
+        if (selection[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order, with_rows);
     }
     return result;
   }
 
 private:
+  static constexpr std::size_t least = 20; // degree 4 is possible
+
   // Potentials are polynomials of low degree farther.
   double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : 0.3; }
 
-  // Of z, in the height.
-  double share(std::size_t vertex, const Local_frame& frame) const
+  // What fits of this degree need; for rows, the effects of higher terms as well.
+  static void add(const Vector_3<double>* samples, std::size_t count, std::size_t degree, bool with_rows,
+                  Moments& moments)
   {
-    return m_height == Height::z ? 1 : (1 + dot(m_surface.normals[vertex], frame.axes.z)) / 2;
+    if (with_rows) moments.add<highest_degree, highest_degree + highest_order>(samples, count);
+    else if (degree <= 2) moments.add<2>(samples, count);
+    else if (degree <= 4) moments.add<4>(samples, count);
+    else moments.add<highest_degree>(samples, count);
   }
 
   const Surface_points<Neighbors>& m_surface;

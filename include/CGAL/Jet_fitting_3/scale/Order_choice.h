@@ -71,10 +71,10 @@ public:
   Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
   {
     const Place& place = m_places[nearest_place(m_points, m_surface.points[i])];
-    Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, &place.selection);
+    const Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, place.selection, false);
     if (is_like(place, candidates)) return mean(candidates, place.choice);
-    candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, nullptr);
-    return mean(candidates, choose_at(i, candidates));
+    const Candidates all = all_candidates(walker, i, frame);
+    return mean(all, choose_at(i, all));
   }
 
 private:
@@ -97,7 +97,7 @@ private:
     for_each(vertices.size(), [&] {
       return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
         const Local_frame frame = tangent_frame(m_surface, walker, vertices[k], m_unit);
-        look_at(m_places[k], m_fitter(walker, vertices[k], frame, 1, m_ladder, m_order, nullptr));
+        look_at(m_places[k], all_candidates(walker, vertices[k], frame));
       };
     });
     for_each(vertices.size(), [&] {
@@ -105,9 +105,14 @@ private:
     });
     for (Place& place : m_places) {
       place.candidates.clear();
-      place.selection.assign(m_ladder.size(), false);
-      add_used(place.selection, place.choice);
+      place.selection = Selection(m_ladder);
+      place.selection.add(m_ladder, place.choice);
     }
+  }
+
+  Candidates all_candidates(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
+  {
+    return m_fitter(walker, i, frame, 1, m_ladder, m_order, Selection(m_ladder, m_ladder.radii.size()), true);
   }
 
   void look_at(Place& place, Candidates candidates) const
@@ -118,7 +123,7 @@ private:
     for (std::size_t c = 0; c < m_ladder.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
       if (!candidate) continue;
-      place.variances[c] = covariance(candidate, candidate, m_all);
+      place.variances[c] = candidate.variance;
       if (candidate.degree == m_ladder.degrees.front()) place.size = square_of_rows(candidate);
     }
   }
@@ -126,7 +131,7 @@ private:
   static double square_of_rows(const Candidate& candidate)
   {
     double sum = 0;
-    for (const Estimate_row& row : candidate.rows) sum += row.value * row.value;
+    for (const double value : candidate.values) sum += value * value;
     return sum;
   }
 
@@ -152,8 +157,7 @@ private:
   {
     if (!place.choice.exists()) return false;
     for (std::size_t c = 0; c < candidates.size(); ++c)
-      if (is_used(place.choice, c) &&
-          !(candidates[c] && covariance(candidates[c], candidates[c], m_all) <= 1.5 * place.variances[c]))
+      if (is_used(place.choice, c) && !(candidates[c] && candidates[c].variance <= 1.5 * place.variances[c]))
         return false;
     return true;
   }
@@ -167,8 +171,7 @@ private:
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (!is_used(choice, c)) continue;
       sum += choice.weights[c];
-      for (std::size_t j = 0; j <= m_order; ++j)
-        result.derivatives[j] += choice.weights[c] * candidates[c].rows[j].value;
+      for (std::size_t j = 0; j <= m_order; ++j) result.derivatives[j] += choice.weights[c] * candidates[c].values[j];
     }
     const double unit = std::pow(m_unit, 1 - double(m_order));
     for (std::size_t j = 0; j <= m_order; ++j) result.derivatives[j] *= unit / sum / std::sqrt(binomial(m_order, j));

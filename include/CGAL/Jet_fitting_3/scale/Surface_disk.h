@@ -11,18 +11,22 @@
 #include <CGAL/Jet_fitting_3/scale/Candidate.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// A tangent plane: a point on the surface near a vertex, and the normal there.
+struct Tangent_plane
+{
+  Vector_3<double> origin, normal;
+};
 
 /// Points of a surface whose neighbors are known. Arrays are not owned.
 /// \tparam Neighbors neighbors(i) is a range of the numbers of the vertices to which the surface continues from i
@@ -32,6 +36,7 @@ struct Surface_points
   const std::vector<Vector_3<double>>& points;
   const std::vector<Vector_3<double>>& normals; ///< of length 1, smooth enough to tell where the surface turns
   Neighbors neighbors;
+  const std::vector<Tangent_plane>* planes = nullptr; ///< at all points, if they are known
 };
 
 /// An origin and axes, z along the normal.
@@ -79,46 +84,50 @@ public:
     }
   }
 
+  /// Some of the vertices around one, from inside out.
   struct Disk
   {
     std::vector<std::size_t> vertices;
-    std::vector<double> distances; ///< not decreasing
-    double reach;                  ///< where the surface turns too far, or too many vertices were found
+    std::vector<Vector_3<double>> places; ///< in the frame and the unit
+    std::vector<std::size_t> ends;        ///< ends[s] is where shell s ends
   };
 
-  /// The part of the surface around the seed within an ellipse around the axis z of the frame, from inside out. Its
-  /// area is that of a disk, its y axis is longer than its x axis by the given ratio.
-  /// \param least_cosine of the angle between a normal and the axis z
-  void disk(std::size_t seed, const Local_frame& frame, double radius, double ratio, double least_cosine,
-            std::size_t most, Disk& disk)
+  /// What belongs to a disk.
+  struct Extent
+  {
+    double unit;               ///< of the radii, in length
+    double ratio = 1;          ///< of the axes of the ellipse
+    double least_cosine = 0.5; ///< of the angle between a normal and the axis z
+    std::size_t least = 0;     ///< so many vertices are found even if the surface turns too far
+    std::size_t most = 0;      ///< a shell that exceeds it is left out
+  };
+
+  /// The part of the surface around the seed within ellipses around the axis z of the frame, up to the first `shells`
+  /// radii, or those before the surface turns too far. Their areas are those of disks, their y axes are longer than
+  /// their x axes.
+  void disk(std::size_t seed, const Local_frame& frame, const std::vector<double>& radii, std::size_t shells,
+            const Extent& extent, Disk& disk)
   {
     ++m_turn;
-    const double stretch = std::sqrt(ratio);
     disk.vertices.clear();
-    disk.distances.clear();
-    disk.reach = std::numeric_limits<double>::infinity();
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+    disk.places.clear();
+    disk.ends.clear();
+    m_shells.resize(std::max(m_shells.size(), shells));
+    for (Shell& shell : m_shells) shell.clear();
+    double reach = std::numeric_limits<double>::infinity(); // square
     m_seen[seed] = m_turn;
-    front.push({0, seed});
-    double farthest = 0;
-    while (!front.empty()) {
-      if (disk.vertices.size() == most) {
-        disk.reach = std::min(disk.reach, farthest);
-        return;
+    if (shells > 0) m_shells[0].push_back({seed, in_units(seed, frame, extent)});
+    for (std::size_t s = 0; s < shells; ++s) {
+      const bool is_enough = disk.vertices.size() >= extent.least;
+      for (std::size_t k = 0; k < m_shells[s].size() && !(is_enough && radii[s] * radii[s] > reach); ++k)
+        reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, frame, radii, s, shells, extent));
+      if (is_enough && radii[s] * radii[s] > reach) return;
+      if (disk.vertices.size() + m_shells[s].size() > extent.most) return;
+      for (const Found& found : m_shells[s]) {
+        disk.vertices.push_back(found.vertex);
+        disk.places.push_back(found.place);
       }
-      const Entry next = front.top();
-      front.pop();
-      farthest = std::max(farthest, next.first);
-      disk.vertices.push_back(next.second);
-      disk.distances.push_back(farthest);
-      for (const std::size_t v : m_surface.neighbors(next.second)) {
-        if (!see(v)) continue;
-        const Vector_3<double> q = frame.in(m_surface.points[v]);
-        const double x = stretch * q.x, y = q.y / stretch, distance = std::sqrt(x * x + y * y);
-        if (dot(m_surface.normals[v], frame.axes.z) < least_cosine) disk.reach = std::min(disk.reach, distance);
-        else if (distance <= radius) front.push({distance, v});
-      }
+      disk.ends.push_back(disk.vertices.size());
     }
   }
 
@@ -130,47 +139,85 @@ private:
     return is_new;
   }
 
+  struct Found
+  {
+    std::size_t vertex;
+    Vector_3<double> place;
+  };
+  using Shell = std::vector<Found>;
+
+  Vector_3<double> in_units(std::size_t v, const Local_frame& frame, const Extent& extent) const
+  {
+    return 1 / extent.unit * frame.in(m_surface.points[v]);
+  }
+
+  // Puts them into shell s, or those farther out. Returns the least squared distance of those that lean too far.
+  double visit_neighbors(std::size_t vertex, const Local_frame& frame, const std::vector<double>& radii, std::size_t s,
+                         std::size_t shells, const Extent& extent)
+  {
+    double reach = std::numeric_limits<double>::infinity();
+    for (const std::size_t v : m_surface.neighbors(vertex)) {
+      if (!see(v)) continue;
+      const Vector_3<double> q = in_units(v, frame, extent);
+      const double square = extent.ratio * q.x * q.x + q.y * q.y / extent.ratio;
+      std::size_t own = s;
+      while (own < shells && square > radii[own] * radii[own]) ++own;
+      if (dot(m_surface.normals[v], frame.axes.z) < extent.least_cosine) reach = std::min(reach, square);
+      else if (own < shells) m_shells[own].push_back({v, q});
+    }
+    return reach;
+  }
+
   const Surface_points<Neighbors>& m_surface;
   std::vector<std::size_t> m_seen;
   std::size_t m_turn = 0;
+  std::vector<Shell> m_shells;
 };
 
 /// The tangent plane at a vertex, by two fits of degree 2 to three rings; the origin is on the second one.
 template <class Neighbors>
-Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
-                          double unit)
+Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
+                            double unit)
 {
   std::vector<std::size_t> found, ends;
   walker.rings(i, 3, found, ends);
+  std::vector<Vector_3<double>> places(found.size());
   Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
   for (int round = 0; round < 2; ++round) {
+    for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
     Moments moments;
-    for (const std::size_t v : found) {
-      const Vector_3<double> q = 1 / unit * frame.in(surface.points[v]);
-      moments.add(q.x, q.y, q.z);
-    }
+    moments.add<2>(places.data(), places.size());
     const Normal_matrix matrix(moments, 2);
     if (!matrix.is_regular()) break;
     auto c = moments.heights;
-    matrix.solve(c);
+    matrix.solve(c, 3);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(frame.axes.out({-c[1], -c[2], 1}));
   }
-  return frame;
+  return {frame.origin, frame.axes.z};
 }
 
-/// The normals of the tangent planes at all vertices. \param for_each as for Surface_choice
-template <class Neighbors, class For_each>
-std::vector<Vector_3<double>> normals_of_tangent_planes(const Surface_points<Neighbors>& surface, double unit,
-                                                        const For_each& for_each)
+/// Its frame; the plane is taken from the surface if it is there.
+template <class Neighbors>
+Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
+                          double unit)
 {
-  std::vector<Vector_3<double>> normals(surface.points.size());
-  for_each(normals.size(), [&] {
+  const Tangent_plane plane = surface.planes ? (*surface.planes)[i] : tangent_plane(surface, walker, i, unit);
+  return {plane.origin, axes_around(plane.normal)};
+}
+
+/// The tangent planes at all vertices. \param for_each as for Surface_choice
+template <class Neighbors, class For_each>
+std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surface, double unit,
+                                          const For_each& for_each)
+{
+  std::vector<Tangent_plane> planes(surface.points.size());
+  for_each(planes.size(), [&] {
     return [&, walker = Walker<Neighbors>(surface)](std::size_t i) mutable {
-      normals[i] = tangent_frame(surface, walker, i, unit).axes.z;
+      planes[i] = tangent_plane(surface, walker, i, unit);
     };
   });
-  return normals;
+  return planes;
 }
 
 /// Normals averaged with those of the neighbors, so many times.

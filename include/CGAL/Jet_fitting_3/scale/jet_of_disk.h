@@ -13,14 +13,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Orders 5 and higher, for which no choice is made: one fit, of the degree of the jet, to four times as many vertices
-/// around vertex i as the jet has coefficients, or those within the radius.
+/// Orders 5 and higher, for which no choice is made: one fit, of the degree of the jet, to at most four times as
+/// many vertices around vertex i as the jet has coefficients, within the radius.
 /// \param radius length
 /// \param jet in the axes of the frame; its lower orders stay
 /// \return false if there are fewer than twice as many vertices as coefficients
@@ -29,10 +30,12 @@ bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbor
                        const Local_frame& frame, double radius, Solver& solver, Jet<double>& jet)
 {
   const std::size_t degree = jet.degree(), unknowns = number_of_jet_coefficients(degree);
+  std::vector<double> radii; // in so many steps
+  for (int k = 1; k <= 48; ++k) radii.push_back(double(k) / 48);
   typename Walker<Neighbors>::Disk disk;
-  walker.disk(i, frame, radius, 1, least_cosine_of_heights, 4 * unknowns, disk);
+  walker.disk(i, frame, radii, radii.size(), {radius, 1, least_cosine_of_heights, 0, 4 * unknowns}, disk);
   if (disk.vertices.size() < 2 * unknowns) return false;
-  const double unit = numeric::power_of_two_above(std::max(disk.distances.back(), 1e-300));
+  const double unit = numeric::power_of_two_above(radius * radii[disk.ends.size() - 1]);
   Samples<double> samples;
   samples.resize(disk.vertices.size());
   for (std::size_t k = 0; k < disk.vertices.size(); ++k)

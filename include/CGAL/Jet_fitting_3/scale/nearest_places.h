@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -54,13 +55,17 @@ inline Near nearest_places(const std::vector<Vector_3<double>>& places, const Ve
   return near;
 }
 
-/// The vertices of a surface, evenly spread in their order, at which is learned: 400 at most.
+/// The vertices of a surface at which is learned, spread over their order, 400 at most. Not in equal steps: the rows of
+/// a grid may be as long.
 inline std::vector<std::size_t> spread_vertices(std::size_t size)
 {
-  constexpr std::size_t number_of_places = 400;
+  const std::size_t number = std::min<std::size_t>(size, 400);
+  const double step = double(size) / double(std::max<std::size_t>(number, 1));
   std::vector<std::size_t> vertices;
-  const std::size_t step = (size + number_of_places - 1) / number_of_places;
-  for (std::size_t i = 0; i < size; i += step) vertices.push_back(i);
+  for (std::size_t k = 0; k < number; ++k) {
+    const double golden = 0.6180339887498949 * double(k), in_step = step > 1 ? golden - std::floor(golden) : 0;
+    vertices.push_back(std::min(size - 1, std::size_t((double(k) + in_step) * step)));
+  }
   return vertices;
 }
 

@@ -67,12 +67,10 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
 {
   const std::size_t unknowns = number_of_jet_coefficients(degree);
   if (count < unknowns + 8) return std::numeric_limits<double>::infinity();
-  Moments moments;
   std::vector<Vector_3<double>> local;
-  for (std::size_t k = 0; k < count; ++k) {
-    local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
-    moments.add(local.back().x, local.back().y, local.back().z);
-  }
+  for (std::size_t k = 0; k < count; ++k) local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
+  Moments moments;
+  moments.add<highest_degree>(local.data(), local.size());
   const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
   if (!matrix.is_regular() || !of_slopes.is_regular()) return std::numeric_limits<double>::infinity();
   auto c = moments.heights, flat = moments.heights;

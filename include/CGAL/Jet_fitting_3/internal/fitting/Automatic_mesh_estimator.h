@@ -83,7 +83,7 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
     : m_degrees(degrees), m_surface(tables), m_noise(noise(tables.points, options)),
-      m_choice(m_surface.with_fitted_normals(m_noise.position, For_each_with_body<ConcurrencyTag>()), m_noise.position,
+      m_choice(m_surface.with_tangent_planes(m_noise.position, For_each_with_body<ConcurrencyTag>()), m_noise.position,
                m_surface.mean_edge(), degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
     const double variance = averaging::variance_in_units(m_noise.position, m_surface.mean_edge());

@@ -66,12 +66,15 @@ public:
   }
 
   /// Takes the normals from fits, which are more exact, and averages them as so much noise, in units, asks for.
-  /// \return the surface
+  /// \return the surface with tangent planes
   template <class For_each>
-  const Surface& with_fitted_normals(double noise, const For_each& for_each)
+  const Surface& with_tangent_planes(double noise, const For_each& for_each)
   {
-    m_normals = averaging::smoothed(averaging::normals_of_tangent_planes(m_surface, m_mean_edge, for_each),
-                                    m_surface.neighbors, averaging::rounds_of_smoothing(noise / m_mean_edge));
+    m_planes = averaging::tangent_planes(m_surface, m_mean_edge, for_each);
+    for (std::size_t i = 0; i < m_planes.size(); ++i) m_normals[i] = m_planes[i].normal;
+    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors,
+                                    averaging::rounds_of_smoothing(noise / m_mean_edge));
+    m_surface.planes = &m_planes;
     return m_surface;
   }
 
@@ -102,6 +105,7 @@ private:
   }
 
   std::vector<Vector_3<double>> m_points, m_normals;
+  std::vector<averaging::Tangent_plane> m_planes;
   Surface m_surface;
   double m_mean_edge;
 };

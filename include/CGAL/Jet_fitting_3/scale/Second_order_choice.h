@@ -1,0 +1,431 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_CHOICE_H
+#define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_CHOICE_H
+
+#include <CGAL/Jet_fitting_3/scale/Bias_model.h>
+#include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
+#include <CGAL/Jet_fitting_3/scale/nearest_places.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Derivatives of order 2 at a vertex as means of several fits, in a frame near the tangent plane whose x axis is near
+/// the principal direction of the curvature that is larger in size.
+struct Second_order_estimate
+{
+  Local_frame frame;
+  double x = 0, y = 0;           ///< z_x, z_y
+  double xx = 0, xy = 0, yy = 0; ///< in 1 / length
+  double variance = 0;           ///< of (xx, sqrt(2) xy, yy), summed
+  double squared_bias = 0;       ///< estimated, likewise
+  double radius = 0;             ///< the root of the mean square of those of xx and yy
+  std::size_t degree = 0;        ///< the larger one of xx and yy
+  std::array<Choice, 4> choices; ///< for xx, sqrt(2) xy, yy in principal axes, and for all: weights of the candidates
+  bool exists = false;
+};
+
+/// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
+/// candidates are compared; patches of places say how their bias depends on degree and radius; each vertex averages its
+/// candidates with the weights of the nearest place, or with its own where its surroundings differ.
+template <class Neighbors>
+class Second_order_choice
+{
+  using Targets = std::array<Target, 4>;
+  static constexpr std::size_t patch = 30, most_samples = 800, all = 3;
+  static constexpr std::size_t places_per_model = 4; // far fewer than in a patch
+  static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
+  static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
+  static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
+
+public:
+  using Surface = Surface_points<Neighbors>;
+
+  /// Learns from disks how certain all second derivatives are together.
+  /// \param unit of the ladder's radii, in length
+  /// \param vertices the places
+  /// \param for_each as for Surface_choice
+  template <class For_each>
+  Second_order_choice(const Surface& surface, double unit, double square_of_noise, const Ladder& ladder, Height height,
+                      const std::vector<std::size_t>& vertices, const For_each& for_each)
+    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_ladder(ladder),
+      m_fitter(surface, unit, most_samples, height)
+  {
+    for (const std::size_t i : vertices) {
+      m_points.push_back(surface.points[i]);
+      m_places.push_back({});
+      m_places.back().vertex = i;
+    }
+    learn_disks(for_each);
+  }
+
+  /// Learns components in principal axes, and ellipses. Needed for estimates.
+  template <class For_each>
+  void learn_components(const For_each& for_each)
+  {
+    for_each(m_places.size(), [&] {
+      return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
+        compare_components(walker, m_places[k]);
+      };
+    });
+    for_each(m_models.size(), [&] {
+      return [&](std::size_t m) {
+        for (std::size_t s = 0; s < shapes.size(); ++s)
+          for (std::size_t t = 0; t < all; ++t) m_models[m].components[s][t] = model(m, s, t);
+      };
+    });
+    plan(for_each);
+  }
+
+  /// What is claimed at a place by disks.
+  const Choice& choice(std::size_t place) const { return m_places[place].choices[all]; }
+  /// z_xx, sqrt(2) z_xy, z_yy at a place by disks, in axes that do not depend on the height, per unit.
+  const std::array<double, 3>& derivatives(std::size_t place) const { return m_places[place].q; }
+
+  /// The number of shells that choices use.
+  std::size_t shells_in_use() const
+  {
+    Selection selection(m_ladder);
+    for (const Place& place : m_places) selection.add(m_ladder, place.choices[all]);
+    return selection.shells();
+  }
+
+  /// At any vertex. \param k the nearest place
+  Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, std::size_t k) const
+  {
+    const Place& place = m_places[k];
+    Second_order_estimate result;
+    result.frame = tangent_frame(m_surface, walker, i, m_unit);
+    result.choices[all] = place.choices[all];
+    Candidates_of_shapes candidates;
+    candidates[0] = fit(walker, i, result.frame, 0, place.selections[0], false);
+    if (!fits(place.choices[all], place, candidates[0])) {
+      candidates[0] = fit(walker, i, result.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
+      result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], 0, all, nullptr);
+    }
+    if (!result.choices[all].exists()) return result;
+    result.exists = true;
+    std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
+    const auto [cosine, sine] = principal_axis(q);
+    result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
+    q = turn(q, cosine, sine);
+    const double x = result.x;
+    result.x = cosine * x + sine * result.y;
+    result.y = cosine * result.y - sine * x;
+    result.variance = result.choices[all].variance;
+    result.squared_bias = result.choices[all].squared_bias;
+    if ((q[0] - q[2]) * (q[0] - q[2]) > 16 * result.choices[all].risk()) {
+      for (Candidate& candidate : candidates[0]) candidate = turned(candidate, cosine, sine);
+      refine(walker, i, place, std::move(candidates), q, result);
+    }
+    set_scale(result);
+    result.xx = q[0] / m_unit;
+    result.xy = std::sqrt(0.5) * q[1] / m_unit;
+    result.yy = q[2] / m_unit;
+    result.variance /= m_unit * m_unit;
+    result.squared_bias /= m_unit * m_unit;
+    return result;
+  }
+
+private:
+  struct Place
+  {
+    std::size_t vertex;
+    std::size_t model = 0; // the nearest one
+    Local_frame frame;     // x the direction of the larger curvature
+    std::array<Candidates, shapes.size()> candidates;
+    std::array<std::array<Comparisons, 4>, shapes.size()> comparisons; // all only for disks
+    std::array<std::vector<double>, shapes.size()> variances;
+    std::array<Choice, 4> choices;
+    std::array<Selection, shapes.size()> selections; // what they use
+    std::array<double, 3> q{};                       // second derivatives by disks
+    double own_size = 0;                             // sum of the squares of the second derivatives
+  };
+
+  // Of the places around one.
+  struct Models
+  {
+    Bias_model of_all; // by disks
+    std::array<std::array<Bias_model, all>, shapes.size()> components;
+  };
+
+  using Candidates_of_shapes = std::array<Candidates, shapes.size()>;
+
+  Candidates fit(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, std::size_t shape,
+                 const Selection& selection, bool with_rows) const
+  {
+    return m_fitter(walker, i, frame, shapes[shape], m_ladder, 2, selection, with_rows);
+  }
+
+  // Whether the candidates that a choice at a place uses exist and are about as certain.
+  bool fits(const Choice& choice, const Place& place, const Candidates& candidates) const
+  {
+    constexpr double more = 4;
+    if (!choice.exists()) return false;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (is_used(choice, c) && !(candidates[c] && candidates[c].variance <= more * place.variances[choice.shape][c]))
+        return false;
+    return true;
+  }
+
+  template <class For_each>
+  void learn_disks(const For_each& for_each)
+  {
+    for_each(m_places.size(), [&] {
+      return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable { compare_disks(walker, m_places[k]); };
+    });
+    m_models.resize((m_places.size() + places_per_model - 1) / places_per_model);
+    for_each(m_models.size(), [&] { return [&](std::size_t m) { m_models[m].of_all = model(m, 0, all); }; });
+    std::vector<Vector_3<double>> centers;
+    for (std::size_t m = 0; m < m_models.size(); ++m) centers.push_back(m_points[m * places_per_model]);
+    for (std::size_t k = 0; k < m_places.size(); ++k) {
+      m_places[k].model = nearest_place(centers, m_points[k]);
+      choose_in_disks(m_places[k]);
+    }
+  }
+
+  void compare_disks(Walker<Neighbors>& walker, Place& place) const
+  {
+    place.frame = tangent_frame(m_surface, walker, place.vertex, m_unit);
+    place.candidates[0] = fit(walker, place.vertex, place.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
+    place.comparisons[0][all] = compare_all(place.candidates[0], m_ladder, targets[all], m_square_of_noise);
+    for (const Candidate& candidate : place.candidates[0])
+      if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = size(candidate);
+  }
+
+  void choose_in_disks(Place& place) const
+  {
+    place.choices[all] =
+        choose_by(m_models[place.model].of_all, place.comparisons[0][all], place.candidates[0], 0, all, nullptr);
+    double x = 0, y = 0;
+    if (place.choices[all].exists()) place.q = mean(place.candidates[0], place.choices[all], x, y);
+  }
+
+  // What the places around model m say.
+  Bias_model model(std::size_t m, std::size_t shape, std::size_t target) const
+  {
+    const Near near = nearest_places(m_points, m_points[m * places_per_model], patch + 1);
+    const std::size_t count = std::min<std::size_t>(patch, near.size());
+    std::vector<const Comparisons*> members;
+    double size = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      members.push_back(&m_places[near[k].second].comparisons[shape][target]);
+      size += m_places[near[k].second].own_size / double(count);
+    }
+    const double radius = std::sqrt(near.back().first) / m_unit;
+    const Comparisons means = patch_means(members, m_ladder, radius, targets[target]);
+    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2)).model();
+  }
+
+  void compare_components(Walker<Neighbors>& walker, Place& place) const
+  {
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      for (std::size_t t = 0; t < all; ++t) place.comparisons[s][t].resize(m_ladder.pairs.size());
+    if (!place.choices[all].exists()) return;
+    const auto [cosine, sine] = principal_axis(place.q);
+    place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
+    for (Candidate& candidate : place.candidates[0]) candidate = turned(candidate, cosine, sine);
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      if (s > 0)
+        place.candidates[s] =
+            fit(walker, place.vertex, place.frame, s, Selection(m_ladder, m_ladder.radii.size()), true);
+      for (const Candidate& candidate : place.candidates[s]) place.variances[s].push_back(candidate.variance);
+      for (std::size_t t = 0; t < all; ++t)
+        place.comparisons[s][t] = compare_all(place.candidates[s], m_ladder, targets[t], m_square_of_noise);
+    }
+  }
+
+  using Choices_of_shapes = std::array<std::array<Choice, all>, shapes.size()>;
+
+  template <class For_each>
+  void plan(const For_each& for_each)
+  {
+    std::vector<Choices_of_shapes> choices(m_places.size());
+    for_each(m_places.size(), [&] {
+      return [&](std::size_t k) {
+        const Place& place = m_places[k];
+        const Models& models = m_models[place.model];
+        for (std::size_t s = 0; s < shapes.size(); ++s)
+          for (std::size_t t = 0; t < all; ++t)
+            choices[k][s][t] =
+                choose_by(models.components[s][t], place.comparisons[s][t], place.candidates[s], s, t, &models.of_all);
+      };
+    });
+    for (std::size_t k = 0; k < m_places.size(); ++k) {
+      const Near near = nearest_places(m_points, m_points[k], 9);
+      for (std::size_t t = 0; t < all; ++t) m_places[k].choices[t] = choices[k][best_shape(choices, near, t)][t];
+    }
+    for (Place& place : m_places) {
+      place.candidates = {};
+      place.comparisons = {};
+      for (Selection& selection : place.selections) selection = Selection(m_ladder);
+      place.selections[0].add(m_ladder, place.choices[all]);
+      for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_ladder, place.choices[t]);
+    }
+  }
+
+  // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
+  static std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target)
+  {
+    std::size_t best = 0;
+    double least = 0;
+    for (std::size_t s = 1; s < shapes.size(); ++s) {
+      if (!choices[near[0].second][s][target].exists()) continue;
+      double gain = std::log(margin), count = 0;
+      for (const auto& [square, k] : near)
+        if (choices[k][s][target].exists() && choices[k][0][target].exists()) {
+          gain += std::log(choices[k][s][target].risk() / choices[k][0][target].risk()) / double(near.size());
+          count += 1;
+        }
+      if (count > 0 && gain < least) {
+        least = gain;
+        best = s;
+      }
+    }
+    return best;
+  }
+
+  Choice choose_by(const Bias_model& model, const Candidates& candidates, std::size_t shape, std::size_t target,
+                   const Bias_model* of_all) const
+  {
+    const Comparisons own = compare_all(candidates, m_ladder, targets[target], m_square_of_noise);
+    return choose_by(model, own, candidates, shape, target, of_all);
+  }
+
+  // One component may have hardly any bias, but not none: a hundredth of the mean at least. The vertex has its own say
+  // where noise cannot explain what it sees.
+  Choice choose_by(Bias_model model, const Comparisons& own, const Candidates& candidates, std::size_t shape,
+                   std::size_t target, const Bias_model* of_all) const
+  {
+    if (of_all)
+      for (std::size_t k = 0; k < model.terms.size(); ++k)
+        model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
+    for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, m_ladder, t, own[t], 12);
+    Choice choice = choose(candidates, model, targets[target], m_square_of_noise);
+    choice.shape = shape;
+    return choice;
+  }
+
+  // Each component with a shape and weights of its own, in the principal axes of the frame. The candidates of disks are
+  // there already.
+  void refine(Walker<Neighbors>& walker, std::size_t i, const Place& place, Candidates_of_shapes candidates_of_shapes,
+              std::array<double, 3>& q, Second_order_estimate& result) const
+  {
+    const Choice& in_disks = result.choices[all];
+    result.variance = result.squared_bias = 0;
+    for (std::size_t t = 0; t < all; ++t) {
+      Choice choice = place.choices[t];
+      Candidates& candidates = candidates_of_shapes[choice.shape];
+      if (candidates.empty())
+        candidates = fit(walker, i, result.frame, choice.shape, place.selections[choice.shape], false);
+      if (!fits(choice, place, candidates)) choice = own_choice(walker, i, place, result.frame, t, candidates);
+      double x = 0, y = 0;
+      const double value = choice.exists() ? mean(candidates, choice, x, y)[t] : q[t], difference = value - q[t];
+      // if not as in disks, one of both claims is wrong
+      const bool is_taken = choice.exists() && difference * difference <= 4 * (in_disks.risk() + choice.risk());
+      result.variance += is_taken ? choice.variance : in_disks.variance;
+      result.squared_bias += is_taken ? choice.squared_bias : in_disks.squared_bias;
+      if (!is_taken) continue;
+      q[t] = value;
+      result.choices[t] = std::move(choice);
+    }
+  }
+
+  // Of the vertex, for one component, in the shape that the place has chosen. Candidates without rows are made again.
+  Choice own_choice(Walker<Neighbors>& walker, std::size_t i, const Place& place, const Local_frame& frame,
+                    std::size_t target, Candidates& candidates) const
+  {
+    const std::size_t shape = place.choices[target].shape;
+    const auto has_rows = [](const Candidate& c) { return !c.rows.empty(); };
+    if (std::none_of(candidates.begin(), candidates.end(), has_rows))
+      candidates = fit(walker, i, frame, shape, Selection(m_ladder, m_ladder.radii.size()), true);
+    const Models& models = m_models[place.model];
+    return choose_by(models.components[shape][target], candidates, shape, target, &models.of_all);
+  }
+
+  void set_scale(Second_order_estimate& e) const
+  {
+    double square = 0;
+    for (const std::size_t target : {0, 2}) {
+      const Choice& choice = e.choices[target].exists() ? e.choices[target] : e.choices[all];
+      const Mean_scale mean = mean_scale(choice, m_ladder);
+      square += mean.square_of_radius / 2;
+      e.degree = std::max(e.degree, mean.degree);
+    }
+    e.radius = m_unit * std::sqrt(square);
+  }
+
+  static Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
+  {
+    return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
+  }
+
+  static double size(const Candidate& c)
+  {
+    double sum = 0;
+    for (const double value : c.values) sum += value * value;
+    return sum;
+  }
+
+  static std::array<double, 3> mean(const Candidates& candidates, const Choice& choice, double& x, double& y)
+  {
+    std::array<double, 3> q{};
+    double sum = 0;
+    x = y = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (!is_used(choice, c)) continue;
+      const double w = choice.weights[c];
+      sum += w;
+      x += w * candidates[c].slopes[0];
+      y += w * candidates[c].slopes[1];
+      for (std::size_t k = 0; k < 3; ++k) q[k] += w * candidates[c].values[k];
+    }
+    x /= sum;
+    y /= sum;
+    for (double& value : q) value /= sum;
+    return q;
+  }
+
+  static std::pair<double, double> principal_axis(const std::array<double, 3>& q)
+  {
+    // the first axis is that of the larger curvature, or of the smaller one where that is larger in size
+    const double half_turn = q[0] + q[2] < 0 ? std::acos(-1.) / 2 : 0;
+    const double angle = 0.5 * std::atan2(std::sqrt(2.) * q[1], q[0] - q[2]) + half_turn;
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  static std::array<double, 3> turn(const std::array<double, 3>& q, double cosine, double sine)
+  {
+    const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
+    return {c2 * q[0] + r * q[1] + s2 * q[2], -r * q[0] + (c2 - s2) * q[1] + r * q[2],
+            s2 * q[0] - r * q[1] + c2 * q[2]};
+  }
+
+  const Surface& m_surface;
+  double m_unit, m_square_of_noise;
+  Ladder m_ladder;
+  Disk_fitter<Neighbors> m_fitter;
+  std::vector<Vector_3<double>> m_points; // of the places
+  std::vector<Place> m_places;
+  std::vector<Models> m_models; // each at one of so many places
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_CHOICE_H
