@@ -219,8 +219,7 @@ void add_fixed(std::vector<double>& sums, const scale::Surface_points<Neighbors>
         sum = std::numeric_limits<double>::infinity();
         continue;
       }
-      auto c = moments.heights;
-      matrix.solve(c);
+      const auto c = matrix.solution(moments.heights, degree);
       sum += square_of_error(curvatures_of(c[1], c[2], 2 * c[3] / unit, c[4] / unit, 2 * c[5] / unit), truth);
     }
   }

@@ -120,55 +120,53 @@ class Normal_matrix
 
 public:
   /// Of a fit of this degree.
-  Normal_matrix(const Moments& moments, std::size_t degree) : m_size(number_of_jet_coefficients(degree))
+  Normal_matrix(const Moments& moments, std::size_t degree)
+    : m_degree(degree), m_size(number_of_jet_coefficients(degree))
   {
-    std::size_t a = 0;
     for (std::size_t order = 0; order <= degree; ++order)
-      for (std::size_t j = 0; j <= order; ++j, ++a) {
-        double& scale = m_scale[m_size - 1 - a];
+      for (std::size_t j = 0; j <= order; ++j) {
+        double& scale = m_scale[place(order) + j];
         scale = 1 / std::sqrt(moments.terms[term_index(2 * order, 2 * j)]);
         if (!std::isfinite(scale)) return;
-        std::size_t b = 0;
-        for (std::size_t lower = 0; lower <= order; ++lower)
-          for (std::size_t i = 0; i <= lower && b <= a; ++i, ++b)
-            m_factor[m_size - 1 - a][m_size - 1 - b] =
-                scale * m_scale[m_size - 1 - b] * moments.terms[term_index(order + lower, i + j)];
       }
+    for (std::size_t order = 0; order <= degree; ++order)
+      for (std::size_t j = 0; j <= order; ++j)
+        for (std::size_t lower = 0; lower <= order; ++lower) {
+          const double* terms = &moments.terms[term_index(order + lower, j)];
+          const double* scales = &m_scale[place(lower)];
+          double* entries = &m_factor[place(order) + j][place(lower)];
+          for (std::size_t i = 0; i <= lower; ++i) entries[i] = m_scale[place(order) + j] * scales[i] * terms[i];
+        }
     m_is_regular = factorize();
   }
 
   /// Whether the samples determine the jet, to about seven digits.
   bool is_regular() const { return m_is_regular; }
 
-  /// Solves for one right side, in place, as far as the first coefficients, or all of them.
-  template <class Vector>
-  void solve(Vector& x, std::size_t first = most) const
+  /// The coefficients up to an order, from the heights, which are moments.
+  std::array<double, most> solution(const std::array<double, most>& heights, std::size_t order) const
   {
     Row y{};
-    for (std::size_t a = 0; a < m_size; ++a) y[a] = m_scale[a] * x[m_size - 1 - a];
+    for (std::size_t k = 0; k <= m_degree; ++k)
+      for (std::size_t j = 0; j <= k; ++j) y[place(k) + j] = m_scale[place(k) + j] * heights[term_index(k, j)];
     forward(y, 0);
-    backward(y, first);
-    for (std::size_t a = 0; a < std::min(first, m_size); ++a) x[a] = y[m_size - 1 - a];
+    return coefficients(y, order);
   }
 
-  /// The column of the inverse matrix for one coefficient.
-  std::array<double, most> column(std::size_t coefficient) const
+  /// The column of the inverse matrix for the coefficient of x^(order - j) y^j.
+  std::array<double, most> column(std::size_t order, std::size_t j) const
   {
-    std::array<double, most> result{};
     Row y{};
-    const std::size_t own = m_size - 1 - coefficient;
-    y[own] = m_scale[own];
-    forward(y, own);
-    backward(y, m_size);
-    for (std::size_t a = 0; a < m_size; ++a) result[a] = y[m_size - 1 - a];
-    return result;
+    y[place(order) + j] = m_scale[place(order) + j];
+    forward(y, place(order) + j);
+    return coefficients(y, m_degree);
   }
 
-  /// The diagonal entry of the inverse matrix for one coefficient.
-  double variance(std::size_t coefficient) const
+  /// The entry of the inverse matrix on its diagonal.
+  double variance(std::size_t order, std::size_t j) const
   {
     Row y{};
-    const std::size_t own = m_size - 1 - coefficient;
+    const std::size_t own = place(order) + j;
     y[own] = m_scale[own];
     forward(y, own);
     double sum = 0;
@@ -199,10 +197,10 @@ private:
     }
   }
 
-  void backward(Row& y, std::size_t count) const
+  // Backward, as far as an order.
+  std::array<double, most> coefficients(Row& y, std::size_t order) const
   {
-    const std::size_t end = m_size - std::min(count, m_size);
-    for (std::size_t a = m_size; a-- > end;) {
+    for (std::size_t a = m_size; a-- > place(order);) {
       Pack products = 0;
       for (std::size_t b = a + 1; b < m_size; b += lanes)
         products = products + Pack::load(&m_factor[a][b]) * Pack::load(&y[b]);
@@ -210,7 +208,10 @@ private:
       for (std::size_t lane = 0; lane < lanes; ++lane) sum -= products[int(lane)];
       y[a] = sum * m_per_diagonal[a];
     }
-    for (std::size_t a = end; a < m_size; ++a) y[a] *= m_scale[a];
+    std::array<double, most> result{};
+    for (std::size_t k = 0; k <= order; ++k)
+      for (std::size_t j = 0; j <= k; ++j) result[term_index(k, j)] = m_scale[place(k) + j] * y[place(k) + j];
+    return result;
   }
 
   // Takes so many times the end of one row off another.
@@ -221,7 +222,10 @@ private:
       (Pack::load(&from[b]) - f * Pack::load(&row[b])).store(&from[b]);
   }
 
-  std::size_t m_size;
+  // Where an order begins.
+  std::size_t place(std::size_t order) const { return m_size - number_of_jet_coefficients(order); }
+
+  std::size_t m_degree, m_size;
   bool m_is_regular = false;
   std::array<double, most> m_scale{}, m_per_diagonal;
   std::array<Row, most> m_factor{}; // upper triangle
@@ -240,7 +244,7 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
   Estimate_row row;
   const std::size_t own = term_index(order, j);
   const double factor = derivative_factor(order, j);
-  row.of_moments = matrix.column(own);
+  row.of_moments = matrix.column(order, j);
   for (double& m : row.of_moments) m *= factor;
   row.responses[own] = factor;
   std::size_t a = 0;
@@ -267,15 +271,14 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
   if (degree < order || moments.size() < 1.3 * double(number_of_jet_coefficients(degree))) return result;
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
-  auto solution = moments.heights;
-  matrix.solve(solution, number_of_jet_coefficients(order));
+  const auto solution = matrix.solution(moments.heights, order);
   result.slopes = {solution[1], solution[2]};
   double bound = 1e4 * size_of_unit_terms(order);
   for (std::size_t k = 0; k < order; ++k) bound /= radius * radius;
   for (std::size_t j = 0; j <= order; ++j) {
     const double factor = derivative_factor(order, j);
     result.values[j] = factor * solution[term_index(order, j)];
-    result.variance += factor * factor * matrix.variance(term_index(order, j));
+    result.variance += factor * factor * matrix.variance(order, j);
   }
   if (!(result.variance > 0 && result.variance < bound)) return result;
   result.degree = degree;

@@ -95,7 +95,7 @@ public:
   /// What belongs to a disk.
   struct Extent
   {
-    double unit;               ///< of the radii, in length
+    double unit;               ///< of the radii and places, in length
     double ratio = 1;          ///< of the axes of the ellipse
     double least_cosine = 0.5; ///< of the angle between a normal and the axis z
     std::size_t least = 0;     ///< so many vertices are found even if the surface turns too far
@@ -114,14 +114,20 @@ public:
     disk.ends.clear();
     m_shells.resize(std::max(m_shells.size(), shells));
     for (Shell& shell : m_shells) shell.clear();
+    std::vector<double> squares(radii.begin(), radii.begin() + std::ptrdiff_t(shells));
+    for (double& r : squares) r *= r;
+    const double per_unit = 1 / extent.unit;
+    const Basis_3<double>& axes = frame.axes;
+    const Local_frame in_units{frame.origin, {per_unit * axes.x, per_unit * axes.y, per_unit * axes.z}};
+    const Ellipse ellipse{extent.ratio, 1 / extent.ratio, extent.least_cosine * per_unit};
     double reach = std::numeric_limits<double>::infinity(); // square
     m_seen[seed] = m_turn;
-    if (shells > 0) m_shells[0].push_back({seed, in_units(seed, frame, extent)});
+    if (shells > 0) m_shells[0].push_back({seed, in_units.in(m_surface.points[seed])});
     for (std::size_t s = 0; s < shells; ++s) {
       const bool is_enough = disk.vertices.size() >= extent.least;
-      for (std::size_t k = 0; k < m_shells[s].size() && !(is_enough && radii[s] * radii[s] > reach); ++k)
-        reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, frame, radii, s, shells, extent));
-      if (is_enough && radii[s] * radii[s] > reach) return;
+      for (std::size_t k = 0; k < m_shells[s].size() && !(is_enough && squares[s] > reach); ++k)
+        reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, in_units, squares, s, ellipse));
+      if (is_enough && squares[s] > reach) return;
       if (disk.vertices.size() + m_shells[s].size() > extent.most) return;
       for (const Found& found : m_shells[s]) {
         disk.vertices.push_back(found.vertex);
@@ -146,24 +152,28 @@ private:
   };
   using Shell = std::vector<Found>;
 
-  Vector_3<double> in_units(std::size_t v, const Local_frame& frame, const Extent& extent) const
+  // Its squared radius is xx x^2 + yy y^2; normals have this z at least.
+  struct Ellipse
   {
-    return 1 / extent.unit * frame.in(m_surface.points[v]);
-  }
+    double xx, yy, least_z;
+  };
 
   // Puts them into shell s, or those farther out. Returns the least squared distance of those that lean too far.
-  double visit_neighbors(std::size_t vertex, const Local_frame& frame, const std::vector<double>& radii, std::size_t s,
-                         std::size_t shells, const Extent& extent)
+  double visit_neighbors(std::size_t vertex, const Local_frame& frame, const std::vector<double>& squares,
+                         std::size_t s, const Ellipse& ellipse)
   {
     double reach = std::numeric_limits<double>::infinity();
     for (const std::size_t v : m_surface.neighbors(vertex)) {
       if (!see(v)) continue;
-      const Vector_3<double> q = in_units(v, frame, extent);
-      const double square = extent.ratio * q.x * q.x + q.y * q.y / extent.ratio;
+      const Vector_3<double> q = frame.in(m_surface.points[v]);
+      const double square = ellipse.xx * q.x * q.x + ellipse.yy * q.y * q.y;
+      if (dot(m_surface.normals[v], frame.axes.z) < ellipse.least_z) {
+        reach = std::min(reach, square);
+        continue;
+      }
       std::size_t own = s;
-      while (own < shells && square > radii[own] * radii[own]) ++own;
-      if (dot(m_surface.normals[v], frame.axes.z) < extent.least_cosine) reach = std::min(reach, square);
-      else if (own < shells) m_shells[own].push_back({v, q});
+      while (own < squares.size() && square > squares[own]) ++own;
+      if (own < squares.size()) m_shells[own].push_back({v, q});
     }
     return reach;
   }
@@ -189,8 +199,7 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
     moments.add<2>(places.data(), places.size());
     const Normal_matrix matrix(moments, 2);
     if (!matrix.is_regular()) break;
-    auto c = moments.heights;
-    matrix.solve(c, 3);
+    const auto c = matrix.solution(moments.heights, 1);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(frame.axes.out({-c[1], -c[2], 1}));
   }

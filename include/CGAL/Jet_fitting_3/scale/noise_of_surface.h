@@ -73,9 +73,7 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   moments.add<highest_degree>(local.data(), local.size());
   const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
   if (!matrix.is_regular() || !of_slopes.is_regular()) return std::numeric_limits<double>::infinity();
-  auto c = moments.heights, flat = moments.heights;
-  matrix.solve(c);
-  of_slopes.solve(flat);
+  const auto c = matrix.solution(moments.heights, degree), flat = of_slopes.solution(moments.heights, 2);
   double sum = 0;
   for (const Vector_3<double>& q : local) {
     const double rest = q.z - value_at(c, degree, q.x, q.y).height;
