@@ -27,6 +27,7 @@ struct Row_block
   static constexpr std::size_t size = rows;
   static type load(const FT* p) { return type::load(p); }
   static void store(const type& block, FT* p) { block.store(p); }
+  static FT first(const type& block) { return block[0]; }
   static FT sum(const type& block) { return sum_of_lanes(block); }
   static FT largest(const type& block) { return largest_lane(block); }
 };
@@ -38,6 +39,7 @@ struct Row_block<FT, 1>
   static constexpr std::size_t size = 1;
   static type load(const FT* p) { return *p; }
   static void store(const type& block, FT* p) { *p = block; }
+  static FT first(const type& block) { return block; }
   static FT sum(const type& block) { return block; }
   static FT largest(const type& block) { return block; }
 };

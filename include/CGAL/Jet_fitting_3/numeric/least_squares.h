@@ -137,9 +137,9 @@ Equations<FT> independent_equations(Linear_system<FT>& system, const FT& negligi
   Buffer<std::size_t, 45> order;
   order.resize(n);
   for (std::size_t j = 0; j < n; ++j) order[j] = j;
-  Buffer<FT, 48> components, products;
+  Buffer<FT, 48> components, same_components;
   components.resize(n + 1);
-  products.resize(n + 1);
+  same_components.resize(n + 1);
   std::size_t rank = 0;
   for (; rank < n; ++rank) {
     FT largest = negligible;
@@ -157,7 +157,8 @@ Equations<FT> independent_equations(Linear_system<FT>& system, const FT& negligi
     for (std::size_t j = rank; j <= n; ++j) components[j] = inner_product(q, system.column(j), rows) / largest;
     for (std::size_t j = rank; j < n; ++j) equations.coefficients.column(rank)[order[j]] = components[j];
     equations.right_sides[rank] = components[n];
-    orthogonalize_to(q, rows, n - rank, &components[rank + 1], system.column(rank + 1), products.data());
+    const FT inverse(1); // they are divided already
+    orthogonalize_to(q, rows, n - rank, inverse, system.column(rank + 1), &components[rank], same_components.data());
   }
   equations.coefficients.resize(n, rank); // keeps its columns
   equations.right_sides.resize(rank);

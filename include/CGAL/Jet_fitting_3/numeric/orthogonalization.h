@@ -39,17 +39,22 @@ FT square_norm(const FT* a, std::size_t rows)
   return inner_product(a, a, rows);
 }
 
-/// Subtracts components[c] q from column c of `count` columns, and writes the products of what is left of them with the
-/// next q. All in one pass, in which each column is read once and the sums do not wait for each other.
+/// From the products[c + 1] of q with `count` columns their components[c] = inverse * product along q, which are
+/// subtracted from them; products[c] becomes that of what is left of column c with the next q. All in one pass, in which
+/// each column is read once and the sums do not wait for each other. Products are read one by one, as they have been
+/// written: a vector of them would wait until they have left the store buffer.
 /// \tparam begins_with_next whether the next q is what is left of the first column; otherwise it is `next`
 template <std::size_t count, bool begins_with_next, class FT>
-void orthogonalize_to(const FT* q, const FT* next, std::size_t rows, const FT* components, FT* columns, FT* products)
+void orthogonalize_to(const FT* q, const FT* next, std::size_t rows, const FT& inverse, FT* columns, FT* products,
+                      FT* components)
 {
   using Rows = Row_block<FT>;
   using Row = typename Rows::type;
+  const Row inverse_row(inverse);
   Row component[count], product[count];
   for (std::size_t c = 0; c < count; ++c) {
-    component[c] = Row(components[c]);
+    component[c] = inverse_row * Row(products[c + 1]);
+    components[c] = Rows::first(component[c]);
     product[c] = Row(FT(0));
   }
   for (std::size_t i = 0; i < rows; i += Rows::size) {
@@ -69,20 +74,21 @@ void orthogonalize_to(const FT* q, const FT* next, std::size_t rows, const FT* c
 
 /// The same for any number of columns that begin with the next q.
 template <class FT>
-void orthogonalize_to(const FT* q, std::size_t rows, std::size_t count, const FT* components, FT* columns, FT* products)
+void orthogonalize_to(const FT* q, std::size_t rows, std::size_t count, const FT& inverse, FT* columns, FT* products,
+                      FT* components)
 {
   constexpr std::size_t together = 6;
   const std::size_t first = (count - 1) % together + 1;
   switch (first) {
-  case 1: orthogonalize_to<1, true>(q, columns, rows, components, columns, products); break;
-  case 2: orthogonalize_to<2, true>(q, columns, rows, components, columns, products); break;
-  case 3: orthogonalize_to<3, true>(q, columns, rows, components, columns, products); break;
-  case 4: orthogonalize_to<4, true>(q, columns, rows, components, columns, products); break;
-  case 5: orthogonalize_to<5, true>(q, columns, rows, components, columns, products); break;
-  default: orthogonalize_to<together, true>(q, columns, rows, components, columns, products);
+  case 1: orthogonalize_to<1, true>(q, columns, rows, inverse, columns, products, components); break;
+  case 2: orthogonalize_to<2, true>(q, columns, rows, inverse, columns, products, components); break;
+  case 3: orthogonalize_to<3, true>(q, columns, rows, inverse, columns, products, components); break;
+  case 4: orthogonalize_to<4, true>(q, columns, rows, inverse, columns, products, components); break;
+  case 5: orthogonalize_to<5, true>(q, columns, rows, inverse, columns, products, components); break;
+  default: orthogonalize_to<together, true>(q, columns, rows, inverse, columns, products, components);
   }
   for (std::size_t c = first; c < count; c += together)
-    orthogonalize_to<together, false>(q, columns, rows, components + c, columns + c * rows, products + c);
+    orthogonalize_to<together, false>(q, columns, rows, inverse, columns + c * rows, products + c, components + c);
 }
 
 /// Square norms of the orthogonalized columns, and of what is left of Z.
@@ -117,8 +123,7 @@ Remaining_squares<FT> orthogonalize(Linear_system<FT>& system, Upper_triangle<FT
     largest = larger(largest, square);
     smallest = select(square < smallest, square, smallest);
     row[0] = square; // for now: the division must not wait for its root
-    for (std::size_t c = 1; c <= columns - k; ++c) row[c] = inverse * products[c];
-    orthogonalize_to(system.column(k), rows, columns - k, row + 1, system.column(k + 1), products);
+    orthogonalize_to(system.column(k), rows, columns - k, inverse, system.column(k + 1), products, row + 1);
     row += columns - k;
     y[k] = row[0]; // the component of Z, whose place is the diagonal of the next row
   }
@@ -134,9 +139,8 @@ void substitute_back(Upper_triangle<FT>& r, Buffer<FT, 45>& y)
   FT* row = r.row(columns);
   for (std::size_t i = columns; i-- > 0;) {
     row -= columns - i;
-    FT rest = unknowns[i];
-    for (std::size_t j = columns; --j > i;) rest = rest - row[j - i] * unknowns[j];
-    unknowns[i] = rest;
+    // in place: in a register, compilers would read unknowns by vectors, and wait for those that were just written
+    for (std::size_t j = columns; --j > i;) unknowns[i] = unknowns[i] - row[j - i] * unknowns[j];
     const FT norm = square_root(row[0]);
     row[0] = norm;
     for (std::size_t j = 1; j < columns - i; ++j) row[j] = norm * row[j];
