@@ -4,14 +4,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The PCA's and the Monge frame are orthonormal and direct to 1e-14, whatever the samples are.
+// The PCA's and the Monge frame are orthonormal and direct to 1e-14, whatever the samples are; and the eigenvectors
+// behind them are exact to rounding, however close the eigenvalues are.
 
 #include "check.h"
 #include "samplings.h"
 
 #include <CGAL/Eigen_svd.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Monge_via_jet_fitting.h>
+
+#include <array>
 
 using namespace test;
 
@@ -62,8 +66,52 @@ Known_form<double> second_order(double k1, double k2)
   return form;
 }
 
+namespace numeric = CGAL::Jet_fitting::numeric;
+
+// A v = lambda v for a matrix of size 1, lambda in descending order, and V^T V = 1.
+void check_eigen(const numeric::Symmetric_3<double>& a, const numeric::Eigen_3<double>& e, const std::string& what)
+{
+  double defect = 0, angle = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double> v(e.vectors[i].x, e.vectors[i].y, e.vectors[i].z);
+    const Vec3<double> av(a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
+                          a.xz * v.x + a.yz * v.y + a.zz * v.z);
+    const double residual = length(av - e.values[i] * v);
+    defect = std::isfinite(residual) ? std::max(defect, residual) : residual;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& w = e.vectors[j];
+      angle = std::max(angle, std::abs(dot(v, Vec3<double>(w.x, w.y, w.z)) - (i == j ? 1. : 0.)));
+    }
+    check_true(i == 0 || e.values[i] <= e.values[i - 1], what + ": values descend");
+  }
+  check_le(defect, 4e-15, what + ": A v - lambda v");
+  check_le(angle, 4e-15, what + ": the vectors are orthonormal");
+}
+
+// By the quick way and by rotations.
+void eigenvectors()
+{
+  std::mt19937 random(3);
+  for (const double middle : {1., 1 - 1e-9, 0.7, 1e-4, 1e-8, 1e-12, 0.})
+    for (const double ratio : {0., 1e-6, 1e-3, 0.03, 0.1, 0.2, 0.3, 0.5, 0.8, 0.999999, 1.})
+      for (int trial = 0; trial < 100; ++trial) {
+        const Axes<double> q = trial == 0 ? rotation(1., 0., 0., 0.) : random_rotation<double>(random);
+        const auto entry = [&](double Vec3<double>::*i, double Vec3<double>::*j) {
+          return q.x.*i * q.x.*j + middle * (q.y.*i * q.y.*j + ratio * q.z.*i * q.z.*j);
+        };
+        const auto x = &Vec3<double>::x, y = &Vec3<double>::y, z = &Vec3<double>::z;
+        const numeric::Symmetric_3<double> a{entry(x, x), entry(x, y), entry(x, z),
+                                             entry(y, y), entry(y, z), entry(z, z)};
+        const std::string what = "eigenvalues 1, " + text(middle) + ", the " + text(ratio) + "th of it";
+        check_eigen(a, numeric::symmetric_eigen_3(a), what);
+        check_eigen(a, numeric::eigen_by_rotations(a), what + ", by rotations");
+      }
+}
+
 int main()
 {
+  eigenvectors();
+
   const struct
   {
     const char* name;

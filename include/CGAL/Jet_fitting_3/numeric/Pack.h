@@ -316,6 +316,17 @@ Pack<T, lanes> power_of_two_above_lanes(const Pack<T, lanes>& x)
   return by_lane(x, [](const T& number) { return power_of_two_above(number); });
 }
 
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
+template <int lanes>
+Pack<double, lanes> inverse_of_power_of_two(const Pack<double, lanes>& p)
+{
+  if (!std::numeric_limits<double>::is_iec559) return Pack<double, lanes>(1) / p;
+  using Bits = typename Pack_mask<double, lanes>::Register;
+  const Bits bits = 0x7fe0000000000000 - reinterpret_cast<Bits>(p.native());
+  return Pack<double, lanes>(reinterpret_cast<typename Pack<double, lanes>::Register>(bits));
+}
+#endif
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace numeric
 } // namespace Jet_fitting

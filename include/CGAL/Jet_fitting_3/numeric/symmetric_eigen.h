@@ -82,36 +82,89 @@ struct Symmetric_3
   }
 };
 
-/// An approximate unit eigenvector of the smallest eigenvalue of a positive semidefinite matrix: three steps of
-/// Newton's method from 0 towards the eigenvalue, and the longest cross product of two rows of a - eigenvalue. Some
-/// unit vector if that is zero.
+/// The smallest eigenvalue of a positive semidefinite matrix, approximately: two steps of Halley's method from 0. Each
+/// cubes the error, in units of the next eigenvalue.
 template <class FT>
-Vector_3<FT> direction_of_least_eigenvalue(const Symmetric_3<FT>& a)
+FT approximate_least_eigenvalue(const Symmetric_3<FT>& a)
 {
   const FT trace = a.xx + a.yy + a.zz;
   const FT minors = (a.xx * a.yy - a.xy * a.xy) + (a.xx * a.zz - a.xz * a.xz) + (a.yy * a.zz - a.yz * a.yz);
   const FT determinant =
       a.xx * (a.yy * a.zz - a.yz * a.yz) - a.xy * (a.xy * a.zz - a.yz * a.xz) + a.xz * (a.xy * a.yz - a.yy * a.xz);
-  FT lambda = determinant / minors; // the first step
-  for (int step = 0; step < 2; ++step)
-    lambda = lambda + (determinant - lambda * (minors - lambda * (trace - lambda))) /
-                          (minors - lambda * (FT(2) * trace - FT(3) * lambda));
+  const FT lambda = determinant * minors / (minors * minors - determinant * trace); // the first step
+  const FT value = determinant - lambda * (minors - lambda * (trace - lambda));
+  const FT descent = minors - lambda * (FT(2) * trace - FT(3) * lambda);
+  return lambda + value * descent / (descent * descent - value * (trace - FT(3) * lambda));
+}
 
-  const Vector_3<FT> rows[] = {{a.xx - lambda, a.xy, a.xz}, {a.xy, a.yy - lambda, a.yz}, {a.xz, a.yz, a.zz - lambda}};
-  Vector_3<FT> longest{FT(0), FT(0), FT(1)};
-  using Limits = std::numeric_limits<typename Lanes<FT>::Number>;
-  const FT least = FT(Limits::min() / Limits::epsilon()); // below, underflow has taken digits of the square
-  FT square = least;
-  for (int i = 0; i < 3; ++i) {
-    const Vector_3<FT> product = cross(rows[i], rows[(i + 1) % 3]);
-    const FT product_square = dot(product, product);
-    const auto is_longer = product_square > square;
-    longest = {select(is_longer, product.x, longest.x), select(is_longer, product.y, longest.y),
-               select(is_longer, product.z, longest.z)};
-    square = select(is_longer, product_square, square);
-  }
-  const FT length = select(square > least, square_root(square), FT(1));
-  return FT(FT(1) / length) * longest;
+/// Three orthogonal vectors of any length.
+template <class FT>
+struct Directions_3
+{
+  Vector_3<FT> u, v, w;
+};
+
+/// Around w, whose largest coordinate is z where z_first holds, and another one elsewhere.
+template <class FT>
+Directions_3<FT> directions_around(const Vector_3<FT>& w, const Mask_of<FT>& z_first)
+{
+  const Vector_3<FT> u{select(z_first, w.z, FT(-w.y)), select(z_first, FT(0), w.x), select(z_first, FT(-w.x), FT(0))};
+  return {u, cross(w, u), w};
+}
+
+/// Those around an approximate eigenvector of the smallest eigenvalue: all columns of the adjugate of a - eigenvalue point
+/// along it. Zero, or not finite, where that matrix has less than rank 2.
+template <class FT>
+Directions_3<FT> directions_around_least(const Symmetric_3<FT>& a)
+{
+  const FT lambda = approximate_least_eigenvalue(a);
+  const FT xx = a.xx - lambda, yy = a.yy - lambda, zz = a.zz - lambda;
+  const FT adj_xx = yy * zz - a.yz * a.yz, adj_yy = xx * zz - a.xz * a.xz, adj_zz = xx * yy - a.xy * a.xy;
+  const FT adj_xy = a.xz * a.yz - a.xy * zz, adj_xz = a.xy * a.yz - a.xz * yy, adj_yz = a.xy * a.xz - a.yz * xx;
+  const auto y_first = adj_xx < adj_yy, z_first = larger(adj_xx, adj_yy) < adj_zz;
+  return directions_around<FT>({select(z_first, adj_xz, select(y_first, adj_xy, adj_xx)),
+                                select(z_first, adj_yz, select(y_first, adj_yy, adj_xy)),
+                                select(z_first, adj_zz, select(y_first, adj_yz, adj_xz))},
+                               z_first);
+}
+
+/// One step of Rayleigh's iteration for w, and the rotation of u and v that diagonalizes what is left. Both at once, and
+/// of directions as they are, not of unit vectors: a fit waits for this, and divisions and roots take most of the time
+/// when each waits for the one before. \return where the result is exact to rounding: where the squares of the angles by
+/// which w turns are rounding errors
+template <class FT>
+Mask_of<FT> eigen_near(const Directions_3<FT>& d, const Symmetric_3<FT>& a, Eigen_3<FT>& eigen)
+{
+  const Vector_3<FT> au = a * d.u, av = a * d.v, aw = a * d.w;
+  const FT square_u = dot(d.u, d.u), square_w = dot(d.w, d.w); // that of v is their product
+  // entries in the basis of unit vectors times the square of v; without the lengths of u and w where they are factors
+  const FT uu = dot(d.u, au) * square_w, vv = dot(d.v, av), ww = dot(d.w, aw) * square_u;
+  const FT uv = dot(d.u, av), uw = dot(d.u, aw), vw = dot(d.v, aw), square_uv = uv * uv * square_w;
+  const FT gap_u = uu - ww, gap_v = vv - ww, gaps = gap_u * gap_v - square_uv, inverse = FT(1) / gaps;
+  const FT to_u = square_w * (vw * uv - uw * gap_v) * inverse, to_v = (uw * uv * square_w - vw * gap_u) * inverse;
+
+  using Number = typename Lanes<FT>::Number;
+  using Limits = std::numeric_limits<Number>;
+  const Number least_number = Limits::min() / Limits::epsilon(); // below, underflow has taken digits of a square
+  const FT least = FT(least_number), nothing = FT(square_root(least_number)); // makes of no rotation one by 0
+  const FT difference = uu - vv, size = absolute(difference) + nothing;
+  const FT radius = square_root(FT(size * size + FT(4) * square_uv)), sum = radius + size;
+  const FT length_u = square_root(square_u), length_w = square_root(square_w), twice_uv = FT(2) * uv * length_w;
+  const FT tangent = twice_uv / sum, cosine = square_root(FT(sum / (radius + radius)));
+  const FT per_u = FT(1) / length_u, per_w = FT(1) / length_w, per_square = (per_u * per_u) * (per_w * per_w);
+
+  const Vector_3<FT> w = per_w * (d.w + (to_u * d.u + to_v * d.v));
+  const Vector_3<FT> u = per_u * (d.u - FT(to_u * square_u * (per_w * per_w)) * d.w);
+  const Vector_3<FT> v = FT(per_u * per_w) * (d.v - FT(to_v * square_u) * d.w);
+  const auto v_first = difference < FT(0);
+  const FT x = select(v_first, tangent, FT(1)) * cosine, y = select(v_first, FT(1), tangent) * cosine;
+  const FT more = FT(0.5) * tangent * twice_uv, larger_value = larger(uu, vv) + more, other = uu + vv - larger_value;
+  const FT square_angle = square_u * (to_u * to_u + square_w * to_v * to_v);
+  const Mask_of<FT> is_least = (ww < other) & (gaps > least);
+  const Mask_of<FT> is_near = (square_angle < FT(0.5 * epsilon<FT>()) * square_w) & (square_u * square_w > least);
+  eigen.values = {{per_square * larger_value, per_square * other, per_square * ww}};
+  eigen.vectors = {{x * u + y * v, x * v - y * u, w}};
+  return is_least & is_near;
 }
 
 /// A symmetric matrix on its way to a diagonal one: its entries in the basis of three orthonormal axes.
@@ -119,14 +172,12 @@ template <class FT>
 class Diagonalization_3
 {
 public:
-  Diagonalization_3(const Symmetric_3<FT>& a, const Vector_3<FT>& u, const Vector_3<FT>& v, const Vector_3<FT>& w)
-    : m_axes{{u, v, w}}
-  {
-    const Vector_3<FT> au = a * u, av = a * v, aw = a * w;
-    m_diagonal = {{dot(u, au), dot(v, av), dot(w, aw)}};
-    m_opposite = {{dot(v, aw), dot(u, aw), dot(u, av)}};
-    m_no_gap = FT(epsilon<FT>()) * (m_diagonal[0] + m_diagonal[1] + m_diagonal[2]);
-  }
+  explicit Diagonalization_3(const Symmetric_3<FT>& a)
+    : m_diagonal{{a.xx, a.yy, a.zz}}, m_opposite{{a.yz, a.xz, a.xy}}, m_axes{{{FT(1), FT(0), FT(0)},
+                                                                              {FT(0), FT(1), FT(0)},
+                                                                              {FT(0), FT(0), FT(1)}}},
+      m_no_gap(FT(epsilon<FT>()) * (a.xx + a.yy + a.zz))
+  {}
 
   /// Turns axes p < q in their plane so that their entry vanishes; in lanes where it is negligible, by the identity: what
   /// becomes of a lane does not depend on the others. \return false if it was negligible in all lanes
@@ -186,22 +237,12 @@ private:
   FT m_no_gap;
 };
 
-/// Symmetric positive semidefinite 3 x 3 matrix by cyclic Jacobi rotations: the vectors are orthonormal to rounding
-/// even where eigenvalues coincide, as they do for rings on a sphere, which closed formulas cannot offer. One vector is
-/// guessed, which leaves few rotations to do; a bad guess costs some more.
+/// By cyclic Jacobi rotations: the vectors are orthonormal to rounding even where eigenvalues coincide, which closed
+/// formulas cannot offer.
 template <class FT>
-Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
+Eigen_3<FT> eigen_by_rotations(const Symmetric_3<FT>& a)
 {
-  const FT unit = power_of_two_above(FT(matrix.xx + matrix.yy + matrix.zz)), per_unit = inverse_of_power_of_two(unit);
-  const Symmetric_3<FT> a{per_unit * matrix.xx, per_unit * matrix.xy, per_unit * matrix.xz,
-                          per_unit * matrix.yy, per_unit * matrix.yz, per_unit * matrix.zz};
-  // a basis around the guess (Duff et al. 2017)
-  const Vector_3<FT> w = direction_of_least_eigenvalue(a);
-  const FT sign = select(w.z < FT(0), FT(-1), FT(1)), factor = FT(-1) / (sign + w.z), product = w.x * w.y * factor;
-  const Vector_3<FT> u{FT(1) + sign * w.x * w.x * factor, sign * product, -sign * w.x};
-  const Vector_3<FT> v{product, sign + w.y * w.y * factor, -w.y};
-
-  Diagonalization_3<FT> turned(a, u, v, w);
+  Diagonalization_3<FT> turned(a);
   const int most_sweeps = 12; // convergence is quadratic: two or three sweeps in double precision
   bool rotated = true;
   for (int sweep = 0; sweep < most_sweeps && rotated; ++sweep) {
@@ -212,8 +253,44 @@ Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
   turned.template order<0, 1>();
   turned.template order<0, 2>();
   turned.template order<1, 2>();
-  const std::array<FT, 3>& values = turned.diagonal();
-  return {{{unit * values[0], unit * values[1], unit * values[2]}}, turned.axes()};
+  return {turned.diagonal(), turned.axes()};
+}
+
+/// Takes another result in lanes where this one is not exact.
+template <class FT>
+void replace_inexact(Eigen_3<FT>& eigen, const Mask_of<FT>& is_exact, const Eigen_3<FT>& other)
+{
+  const auto replace = [&is_exact](FT& number, const FT& by) { number = select(is_exact, number, by); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    replace(eigen.values[i], other.values[i]);
+    replace(eigen.vectors[i].x, other.vectors[i].x);
+    replace(eigen.vectors[i].y, other.vectors[i].y);
+    replace(eigen.vectors[i].z, other.vectors[i].z);
+  }
+}
+
+/// Of a positive semidefinite matrix. As a rule the first attempt is exact. The second one helps where the smallest
+/// eigenvalue is not far below the next; where they coincide, rotations do, which take several times as long. What
+/// becomes of a lane does not depend on the others.
+template <class FT>
+Eigen_3<FT> symmetric_eigen_3(const Symmetric_3<FT>& matrix)
+{
+  const FT unit = power_of_two_above(FT(matrix.xx + matrix.yy + matrix.zz)), per_unit = inverse_of_power_of_two(unit);
+  const Symmetric_3<FT> a{per_unit * matrix.xx, per_unit * matrix.xy, per_unit * matrix.xz,
+                          per_unit * matrix.yy, per_unit * matrix.yz, per_unit * matrix.zz};
+  Eigen_3<FT> eigen; // written in place: a copy would wait until what has just been written has left the store buffer
+  Mask_of<FT> is_exact = eigen_near(directions_around_least(a), a, eigen);
+  if (!all(is_exact)) {
+    const Vector_3<FT>& w = eigen.vectors[2];
+    const Mask_of<FT> z_first = larger(absolute(w.x), absolute(w.y)) < absolute(w.z);
+    Eigen_3<FT> second;
+    const Mask_of<FT> is_second_exact = eigen_near(directions_around(w, z_first), a, second);
+    replace_inexact(eigen, is_exact, second);
+    is_exact = is_exact | is_second_exact;
+    if (!all(is_exact)) replace_inexact(eigen, is_exact, eigen_by_rotations(a));
+  }
+  for (FT& value : eigen.values) value = unit * value;
+  return eigen;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

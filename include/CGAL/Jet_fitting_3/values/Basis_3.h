@@ -41,7 +41,7 @@ template <class FT>
 FT direction_sign(const Vector_3<FT>& axis)
 {
   const Vector_3<FT> preferred{FT(0.31), FT(0.53), FT(0.79)};
-  return numeric::select(dot(axis, preferred) < FT(0), FT(-1), FT(1));
+  return numeric::sign_of(dot(axis, preferred));
 }
 
 CGAL_JET_FITTING_3_END_NATIVE
