@@ -91,7 +91,7 @@ private:
   template <class For_each>
   void learn(const For_each& for_each)
   {
-    const std::vector<std::size_t> vertices = spread_vertices(m_surface.points.size());
+    const std::vector<std::size_t> vertices = spread_vertices(m_surface.points.size(), most_places);
     for (const std::size_t i : vertices) m_points.push_back(m_surface.points[i]);
     m_places.resize(vertices.size());
     for_each(vertices.size(), [&] {

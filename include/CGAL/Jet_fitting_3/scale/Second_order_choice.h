@@ -266,7 +266,9 @@ private:
     });
     for (std::size_t k = 0; k < m_places.size(); ++k) {
       const Near near = nearest_places(m_points, m_points[k], 9);
-      for (std::size_t t = 0; t < all; ++t) m_places[k].choices[t] = choices[k][best_shape(choices, near, t)][t];
+      const std::size_t x = best_shape(choices, near, 0, {0, 1, 2}), y = best_shape(choices, near, 2, {0, 1, 2}),
+                        xy = best_shape(choices, near, 1, {0, x, y}); // no walk for it alone
+      m_places[k].choices = {choices[k][x][0], choices[k][xy][1], choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
       place.candidates = {};
@@ -278,12 +280,13 @@ private:
   }
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
-  static std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target)
+  static std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target,
+                                const std::array<std::size_t, 3>& allowed)
   {
     std::size_t best = 0;
     double least = 0;
-    for (std::size_t s = 1; s < shapes.size(); ++s) {
-      if (!choices[near[0].second][s][target].exists()) continue;
+    for (const std::size_t s : allowed) {
+      if (s == 0 || !choices[near[0].second][s][target].exists()) continue;
       double gain = std::log(margin), count = 0;
       for (const auto& [square, k] : near)
         if (choices[k][s][target].exists() && choices[k][0][target].exists()) {

@@ -54,7 +54,7 @@ public:
                  const For_each& for_each = For_each())
     : m_surface(surface)
   {
-    const std::vector<std::size_t> vertices = spread_vertices(surface.points.size());
+    const std::vector<std::size_t> vertices = spread_vertices(surface.points.size(), most_places);
     for (const std::size_t i : vertices) m_points.push_back(surface.points[i]);
     const double variance = variance_in_units(noise, unit);
     const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
@@ -98,7 +98,8 @@ public:
 
 private:
   // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than they
-  // claim: the risk that is claimed does not know of errors of the normals.
+  // claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which are larger
+  // than it without noise.
   static bool is_better(const Choice_of_height& first, const Choice_of_height& second, std::size_t places)
   {
     double gain = 0;
@@ -109,12 +110,12 @@ private:
       gain += std::log(a.risk() / b.risk());
       double square = 0;
       for (std::size_t i = 0; i < 3; ++i) square += std::pow(first.derivatives(k)[i] - second.derivatives(k)[i], 2);
-      differences.push_back(square / (a.risk() + b.risk()));
+      differences.push_back(square / (2 * (a.variance + b.variance) + a.squared_bias + b.squared_bias));
     }
     if (differences.empty()) return false;
     const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);
     std::nth_element(differences.begin(), median, differences.end());
-    return gain < -std::log(margin) * double(differences.size()) && *median < 2;
+    return gain < -std::log(margin) * double(differences.size()) && *median < 1;
   }
 
   const Surface& m_surface;

@@ -55,11 +55,13 @@ inline Near nearest_places(const std::vector<Vector_3<double>>& places, const Ve
   return near;
 }
 
-/// The vertices of a surface at which is learned, spread over their order, 400 at most. Not in equal steps: the rows of
-/// a grid may be as long.
-inline std::vector<std::size_t> spread_vertices(std::size_t size)
+/// At how many places is learned, at most.
+constexpr std::size_t most_places = 400;
+
+/// So many numbers of vertices, or all, spread over their order. Not in equal steps: the rows of a grid may be as long.
+inline std::vector<std::size_t> spread_vertices(std::size_t size, std::size_t most)
 {
-  const std::size_t number = std::min<std::size_t>(size, 400);
+  const std::size_t number = std::min(size, most);
   const double step = double(size) / double(std::max<std::size_t>(number, 1));
   std::vector<std::size_t> vertices;
   for (std::size_t k = 0; k < number; ++k) {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
@@ -108,16 +109,15 @@ void visit_places(const Surface_points<Neighbors>& surface, double unit, std::si
 {
   Walker<Neighbors> walker(surface);
   std::vector<std::size_t> found, ends;
-  const std::size_t step = std::max<std::size_t>(1, surface.points.size() / 200);
-  for (std::size_t i = 0; i < surface.points.size(); i += step) {
+  for (const std::size_t i : spread_vertices(surface.points.size(), 200)) {
     const Local_frame frame = tangent_frame(surface, walker, i, unit);
     walker.rings(i, rings, found, ends);
     visit(frame, found, ends);
   }
 }
 
-/// The noise of points, infinite where they are too few: the least of the medians for fits of degree 4 to three and four
-/// rings and of degree 6 to four: more rings or lower degrees take the surface for noise, as the next ring tells.
+/// The noise of points, infinite where they are too few: the least of the medians for fits of degrees 4 and 6 to three
+/// and four rings: more rings or lower degrees take the surface for noise, as the next ring tells.
 template <class Neighbors>
 Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
 {
@@ -126,7 +126,7 @@ Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
     std::size_t degree, rings;
     Variances_of_surface variances{};
   };
-  std::array<Fit, 5> fits{{{4, 3}, {4, 4}, {4, 5}, {6, 4}, {6, 5}}};
+  std::array<Fit, 6> fits{{{4, 3}, {4, 4}, {4, 5}, {6, 3}, {6, 4}, {6, 5}}};
   visit_places(surface, unit, 5, [&](const Local_frame& frame, const auto& found, const auto& ends) {
     for (Fit& fit : fits) {
       const std::size_t count = ends[fit.rings];
@@ -135,7 +135,8 @@ Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
   });
   Noise noise;
   noise.position = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : {std::size_t(0), std::size_t(1), std::size_t(3)}) { // the next has one ring more
+  for (const std::size_t k :
+       {std::size_t(0), std::size_t(1), std::size_t(3), std::size_t(4)}) { // the next has one ring more
     const scale::Estimated_variance own = fits[k].variances.median(surface.points.size()),
                                     larger = fits[k + 1].variances.median(surface.points.size());
     if (!(std::sqrt(own.value) * unit < noise.position)) continue;
