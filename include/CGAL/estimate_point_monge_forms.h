@@ -64,7 +64,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///
 /// \return how many were estimated, which were not, and why. Nothing is thrown for one bad point: its form is empty.
 ///         Points with a coordinate that is not finite are skipped and left out of all neighborhoods
-/// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
+/// \throw Jet_fitting::Invalid_input for impossible degrees; with automatic() if there is too little to tell the noise,
+///        or an option is set that it has no use for; whatever the property maps and the callback throw
 ///
 /// For n points with N neighbors each the fits take the time O(n N N_d^2), N_d = (d+1)(d+2)/2, the search about
 /// O(n (N + log n)). The range is only read, and may be used by other threads meanwhile. A map that is given is read by

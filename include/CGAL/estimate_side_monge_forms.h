@@ -58,7 +58,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///
 /// \return which sides were estimated, which were not, and why, by their numbers. If the callback cancels, only the
 ///         forms of the sides before the first that was not reached are written, which may be none
-/// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
+/// \throw Jet_fitting::Invalid_input for impossible degrees; with automatic() if there is too little to tell the noise,
+///        or an option is set that it has no use for; whatever the property maps and the callback throw
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph, class Neighborhood, class HalfedgeSideMap,
           class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
 Jet_fitting::Estimation_summary<std::size_t>

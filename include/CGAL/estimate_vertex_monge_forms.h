@@ -66,7 +66,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///
 /// \return how many were estimated, which were not, and why. Nothing is thrown for one bad vertex: its form is empty.
 ///         Vertices with a coordinate that is not finite are skipped and left out of all neighborhoods
-/// \throw Jet_fitting::Invalid_input for impossible degrees; whatever the property maps and the callback throw
+/// \throw Jet_fitting::Invalid_input for impossible degrees; with automatic() if there is too little to tell the noise,
+///        or an option is set that it has no use for; whatever the property maps and the callback throw
 ///
 /// With Parallel_tag, of what the user gives
 ///   - the mesh (its own points and ids, what leads from edges and faces to vertices) and `vertex_index_map` are read

@@ -192,7 +192,27 @@ void bad_vertices()
   const auto summary = noisy.estimate(jets::automatic(), 6);
   check_equal(summary.estimated, noisy.mesh.number_of_vertices() - 2, "all but two are estimated");
   check_true(summary.status(Vertex(100)).has(jets::Status_flag::not_finite), "not finite");
-  check_true(!summary.status(isolated).is_estimated(), "isolated");
+  check_true(summary.status(isolated).has(jets::Status_flag::isolated), "isolated");
+}
+
+// A vertex far away takes those around it; many small parts beside the surface take nothing.
+void far_vertex_and_debris()
+{
+  Noisy_mesh far(torus(2, 1, 60, 24), 0.005);
+  far.mesh.point(Vertex(100)) = Kernel::Point_3(1e20, 0, 0);
+  const auto summary = far.estimate(jets::automatic(), 6);
+  check_ge(double(summary.estimated), double(far.mesh.number_of_vertices()) - 50, "estimated beside a far vertex");
+
+  Noisy_mesh littered(torus(2, 1, 60, 24), 0.005);
+  const std::size_t vertices = littered.mesh.number_of_vertices();
+  for (int k = 0; k < 3000; ++k) {
+    const double x = 4 + 0.3 * k;
+    const auto corner = [&](double dx, double dy) { return littered.mesh.add_vertex(Kernel::Point_3(x + dx, dy, 0)); };
+    littered.mesh.add_face(corner(0, 0), corner(0.2, 0), corner(0, 0.2));
+  }
+  const auto of_litter = littered.estimate(jets::automatic(), 6);
+  check_equal(of_litter.estimated, vertices, "estimated beside loose triangles");
+  check_le(std::abs(of_litter.noise.position / 0.005 - 1), 0.2, "the noise beside loose triangles");
 }
 
 void misuse()
@@ -206,6 +226,12 @@ void misuse()
   options.loss = jets::Loss::huber;
   check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, options); }, {"automatic"},
                                     "a robust loss");
+  for (const double noise : {-1., double(INFINITY), double(NAN)}) {
+    jets::Options of_noise;
+    of_noise.position_noise = noise;
+    check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, of_noise); }, {"position_noise"},
+                                      "a noise of " + text(noise));
+  }
   Noisy_mesh tiny(sphere(1, 1), 0);
   check_throws<jets::Invalid_input>([&] { tiny.estimate(jets::automatic(), 2); }, {"too few"}, "an octahedron");
 }
@@ -222,6 +248,7 @@ int main()
   degrees();
   same_bits();
   bad_vertices();
+  far_vertex_and_debris();
   misuse();
   return result();
 }

@@ -21,9 +21,11 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace tool {
@@ -56,6 +58,14 @@ inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& e
   }
 }
 
+// Of the jets: the one that is asked for, or up to which it is chosen.
+template <class Neighborhood>
+std::size_t highest_degree(const Arguments& a)
+{
+  const bool is_chosen = std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value;
+  return is_chosen ? (std::max)(a.degree_monge, std::size_t(6)) : a.degree_jet;
+}
+
 // One call with all named parameters, whether they have an effect or not: compiling a second one takes long.
 template <class Neighborhood>
 Estimates estimate_mesh(const Mesh& mesh, const Edge_marks& is_sharp, const Neighborhood& neighborhood,
@@ -67,7 +77,7 @@ Estimates estimate_mesh(const Mesh& mesh, const Edge_marks& is_sharp, const Neig
   estimates.summary = CGAL::estimate_side_monge_forms<CGAL::Parallel_if_available_tag>(
       mesh, neighborhood, boost::make_iterator_property_map(estimates.sides.begin(), get(boost::halfedge_index, mesh)),
       std::back_inserter(estimates.forms),
-      CGAL::parameters::degree_fitting(a.degree_jet)
+      CGAL::parameters::degree_fitting(highest_degree<Neighborhood>(a))
           .degree_monge(a.degree_monge)
           .edge_is_constrained_map(boost::make_iterator_property_map(is_sharp.begin(), get(boost::edge_index, mesh)))
           .callback(callback),
@@ -94,16 +104,14 @@ Estimates estimate_points(const Mesh& mesh, const Context& context, const Neighb
   const Points_and_context all(mesh, context);
   Estimates estimates;
   estimates.forms.reserve(all.size());
-  estimates.summary =
-      CGAL::estimate_point_monge_forms<CGAL::Parallel_if_available_tag>(boost::irange(std::size_t(0), all.size()),
-                                                                        neighborhood,
-                                                                        std::back_inserter(estimates.forms),
-                                                                        CGAL::parameters::degree_fitting(a.degree_jet)
-                                                                            .degree_monge(a.degree_monge)
-                                                                            .point_map(point_map(all))
-                                                                            .normal_map(normal_map(all))
-                                                                            .callback(callback),
-                                                                        a.options);
+  estimates.summary = CGAL::estimate_point_monge_forms<CGAL::Parallel_if_available_tag>(
+      boost::irange(std::size_t(0), all.size()), neighborhood, std::back_inserter(estimates.forms),
+      CGAL::parameters::degree_fitting(highest_degree<Neighborhood>(a))
+          .degree_monge(a.degree_monge)
+          .point_map(point_map(all))
+          .normal_map(normal_map(all))
+          .callback(callback),
+      a.options);
   estimates.forms.resize(mesh.number_of_vertices());
   return estimates;
 }

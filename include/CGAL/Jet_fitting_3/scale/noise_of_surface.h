@@ -25,18 +25,25 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The mean length of edges.
+/// The mean length of edges, without those that are ten times as long as the median: a vertex may be far away.
 template <class Neighbors>
 double mean_edge(const Surface_points<Neighbors>& surface)
 {
-  double sum = 0, count = 0;
+  std::vector<double> lengths;
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     for (const std::size_t v : surface.neighbors(i)) {
       const Vector_3<double> d = surface.points[v] - surface.points[i];
-      sum += std::sqrt(dot(d, d));
+      lengths.push_back(std::sqrt(dot(d, d)));
+    }
+  if (lengths.empty()) return 0;
+  const double longest = 10 * scale::median(lengths);
+  double sum = 0, count = 0;
+  for (const double length : lengths)
+    if (length <= longest) {
+      sum += length;
       count += 1;
     }
-  return count > 0 ? sum / count : 0;
+  return sum / count;
 }
 
 /// The sum of x^i y^j times the first coefficients, up to the degree, and its gradient as slopes.
@@ -85,20 +92,26 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   return scale::median_correction(freedom) * sum / freedom;
 }
 
-/// Medians over places on a surface of what fits of one degree leave.
+/// Medians over places on a surface of what fits of one degree leave, of those where it can be told: small parts may be
+/// beside the surface.
 struct Variances_of_surface
 {
   std::vector<double> variances;
-  double neighbors = 0; ///< summed over places
+  double neighbors = 0;   ///< summed over these
+  std::size_t places = 0; ///< all
 
   void add(double variance, std::size_t count)
   {
+    ++places;
+    if (!std::isfinite(variance)) return;
     variances.push_back(variance);
     neighbors += double(count);
   }
 
   scale::Estimated_variance median(std::size_t size) const
   {
+    constexpr std::size_t enough = 20;
+    if (variances.size() < std::min(enough, places / 2 + 1)) return {std::numeric_limits<double>::infinity(), 0};
     return scale::median_variance(variances, neighbors / double(size));
   }
 };

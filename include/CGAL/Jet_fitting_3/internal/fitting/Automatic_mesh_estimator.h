@@ -208,6 +208,7 @@ private:
     const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, dprime, m_solver);
     if (!chosen.exists) {
       result.status = Status_flag::too_few_points;
+      if (m_adjacency[node].size() == 0) result.status |= Status_flag::isolated;
       return;
     }
     Local_estimate<double> e{};
