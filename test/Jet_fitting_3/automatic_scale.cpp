@@ -140,7 +140,7 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
       const double radius = automatic.ladder().radii[j];
       for (std::size_t i = 0; i < size; i += every) {
         Indices near;
-        within(i, scale::reach(cloud, automatic.ladder(), automatic.ladder().radii.size(), false), near);
+        within(i, scale::reach(cloud, automatic.ladder(), automatic.ladder().radii.size()), near);
         const scale::Local_frame frame = scale::local_frame(cloud, near, i, automatic.ladder());
         squares.add(scale::fit_at_scale(cloud, near, frame, radius, degree, automatic.noise(), solver).fit.jet, frame,
                     noisy.truth[i]);
@@ -167,7 +167,7 @@ void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double
   for (std::size_t i = 0; i < size; i += every) {
     const scale::Point_scale choice = automatic(i, near);
     test::check_true(choice.is_chosen, name + ": there is a choice");
-    squares.add(scale::jet_at_scale(cloud, near, choice, 2, automatic.noise(), solver), choice.frame, noisy.truth[i]);
+    squares.add(scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(), solver), choice.frame, noisy.truth[i]);
   }
   const Squares best = best_fixed(cloud, noisy, within, automatic, every);
   const char* quantities[] = {"H", "k1", "k2", "normal"};
@@ -240,7 +240,7 @@ void without_noise_and_scaled()
   }
 }
 
-// What is reported with noise has the digits of a fit by orthogonalization to the same ball.
+// What is reported with noise has the digits of a fit by orthogonalization to the same neighbors.
 void digits_of_the_choice()
 {
   const Noisy_cloud noisy(on_torus, .005, 0);
@@ -251,9 +251,9 @@ void digits_of_the_choice()
   Indices near;
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
-    const jets::Jet<double> jet = scale::jet_at_scale(cloud, near, choice, 3, automatic.noise(), solver);
+    const jets::Jet<double> jet = scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(), solver);
     const auto fitted = [&](const scale::Choice& c) {
-      return scale::fit_at_scale(cloud, near, choice.frame, c.radius, c.degree, automatic.noise(), solver).fit.jet;
+      return scale::fit_of_choice(cloud, near, choice.frame, c, automatic.ladder(), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),
                             of_xy = fitted(choice.curvatures[1]);

@@ -78,26 +78,25 @@ public:
     std::uint32_t learned = none;
     for (const std::size_t few : {std::size_t(1), fewest}) { // mostly the smallest ball has one
       if (learned != none) break;
-      gather(i, few, false, near);
+      gather(i, few, near);
       learned = nearest_learned(i, near);
     }
     const std::size_t rungs = learned == none ? fewest : std::max(fewest, m_rungs[learned]);
-    gather(i, rungs, false, near);
-    const Local_ladder local =
-        local_ladder(m_cloud, near, local_frame(m_cloud, near, i, m_ladder), m_ladder, rungs, false);
+    gather(i, rungs, near);
+    const Local_ladder local = local_ladder(m_cloud, near, local_frame(m_cloud, near, i, m_ladder), m_ladder, rungs);
     if (learned != none) return choose(local, m_tables[learned], m_ladder);
     Point_scale scale;
     scale.frame = local.frame;
     scale.is_chosen = false;
     for (Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]})
-      *c = {m_ladder.radii[rungs - 1], rungs - 1, 2, unknown, unknown, 0};
+      *c = {m_ladder.radii[rungs - 1], rungs - 1, 2, unknown, unknown, unknown, 0};
     return scale;
   }
 
 private:
-  void gather(std::size_t i, std::size_t rungs, bool with_references, Indices& near) const
+  void gather(std::size_t i, std::size_t rungs, Indices& near) const
   {
-    m_within(i, reach(m_cloud, m_ladder, rungs, with_references), near);
+    m_within(i, reach(m_cloud, m_ladder, rungs), near);
   }
 
   template <class For_each>
@@ -113,8 +112,8 @@ private:
     const std::size_t rungs = m_ladder.radii.size();
     for_each(sample.size(), [&](std::size_t k) {
       Indices near;
-      gather(sample[k], rungs, true, near);
-      ladders[k] = local_ladder(m_cloud, near, local_frame(m_cloud, near, sample[k], m_ladder), m_ladder, rungs, true);
+      gather(sample[k], rungs, near);
+      ladders[k] = local_ladder(m_cloud, near, local_frame(m_cloud, near, sample[k], m_ladder), m_ladder, rungs);
       const double radius = m_ladder.patch();
       for (const std::size_t i : near) {
         const Vector_3<double> d = m_cloud.points[i] - m_cloud.points[sample[k]];

@@ -32,7 +32,7 @@ constexpr double variance_factor = 1.2; ///< noise along the surface, and of the
 constexpr double clip = 400;            ///< a difference counts for so many variances at most
 constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
 constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
-constexpr double bias_factor = 9;       ///< of a squared bias in an interval: it is known to a factor of 3 or so
+constexpr double bias_factor = 20;      ///< of a squared bias in an interval: it is known to a factor of 4 or so
 constexpr double hidden = 0.3;          ///< what a bias may add to the variance in an interval, without evidence
 } // namespace constant
 
@@ -42,6 +42,8 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 struct Squared_bias
 {
   double value = unknown;
+  double seen = 0;       ///< what comparisons show of it, less one standard error, or what is proved
+  double most = unknown; ///< by comparisons alone, what it may be
 
   /// By how many standard errors a bias shows, at this radius or a larger one, of any degree.
   double evidence = 0;
@@ -93,7 +95,8 @@ public:
   {
     double total = 0, sum = 0, n = 0;
     for (const Local_ladder* local : m_patch) {
-      const Turned_second_order &candidate = local->candidates[j].of_degree(degree), &reference = local->references[k];
+      const Turned_second_order &candidate = local->candidates[j].of_degree(degree),
+                                &reference = local->candidates[k].of_degree(4);
       const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
       if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
       const double d = std::min(squared_difference(candidate, reference, m_target), constant::clip * v_k);
@@ -114,10 +117,10 @@ private:
   std::size_t m_target;
 };
 
-/// Bias at one rung: what is proved, what is likely, and by how many standard errors it shows.
+/// Bias at one rung: what is proved, what is seen, what is likely, and by how many standard errors it shows.
 struct Bias_bounds
 {
-  double least = 0, likely = unknown, evidence = 0;
+  double least = 0, seen = 0, likely = unknown, evidence = 0;
 };
 
 /// The radii of the ladder as far as the balls of a patch grow with them: one that has gone around a closed surface, to
@@ -126,7 +129,7 @@ inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch,
 {
   std::vector<double> result = ladder.radii, sizes(result.size(), 0);
   for (const Local_ladder* local : patch)
-    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->candidates[j].size;
+    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->candidates[j].size(2);
   for (std::size_t j = 1; j < sizes.size(); ++j)
     result[j] = result[j - 1] * (sizes[j - 1] > 0 ? std::min(ladder_step, sizes[j] / sizes[j - 1]) : ladder_step);
   return result;
@@ -142,11 +145,14 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
   for (std::size_t k = ladder.first_reference; k < end; ++k) {
     const Estimated e = statistics.squared_bias(degree, j, k);
     if (!(e.error < unknown)) continue;
+    const double shared = degree == 4 ? std::pow(1 - std::pow(radii[k] / radii[j], 4), 2) : 1;
     bounds.least = std::max(bounds.least, e.value - constant::certain * e.error);
     if (e.error > 0) bounds.evidence = std::max(bounds.evidence, e.value / e.error);
-    if (k + 1 < end) continue;
+    const bool is_last = k + 1 == end;
+    bounds.seen = std::max(bounds.seen, (e.value - e.error) / (is_last && shared > 0 ? shared : 1));
+    if (!is_last) continue;
     bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
-    if (degree == 4 && bounds.likely > 0) bounds.likely /= std::pow(1 - std::pow(radii[k] / radii[j], 4), 2);
+    if (bounds.likely > 0) bounds.likely /= shared;
   }
   bounds.likely = std::max(bounds.likely, bounds.least);
   return bounds;
@@ -165,7 +171,9 @@ inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bou
       value = std::min(value, std::pow(radii[j] / radii[l], exponent) * bounds[l].likely);
       if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
     }
+    result[j].seen = std::max(bounds[j].least, bounds[j].seen);
     value = std::max(bounds[j].least, value < unknown ? value : 0);
+    result[j].most = value;
     for (std::size_t l = j; l < bounds.size(); ++l)
       result[j].evidence = std::max(result[j].evidence, bounds[l].evidence);
   }
@@ -184,6 +192,33 @@ inline void share_evidence(Bias_of_target& of_degrees)
     for (std::size_t j = 0; j < biases.size(); ++j) biases[j].evidence = most[j];
 }
 
+/// The mean square of the larger curvature, by degree 2 where the axes are taken.
+inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladder& ladder)
+{
+  double sum = 0;
+  for (const Local_ladder* local : patch) {
+    const double k = local->candidates[ladder.axes].of_degree(2).value[2];
+    sum += k * k;
+  }
+  return patch.empty() ? 0 : sum / double(patch.size());
+}
+
+/// The terms of a smooth surface fall as powers: where degree 2 errs by k (r / L)^2, one expects k (r / L)^4 of
+/// degree 4, in all directions, unless more is seen. The difference of two balls alone tells it with the noise of the
+/// smaller one. Not with normals: on spheres and cylinders series of the Gauss map end.
+inline void expect_falling_terms(Bias_table& table, double squared_curvature)
+{
+  if (!(squared_curvature > 0)) return;
+  for (std::size_t j = 0; j < table[1][0].size(); ++j) {
+    const double most = std::max({table[1][0][j].value, table[2][0][j].value, table[3][0][j].value});
+    const double expected = most * most / squared_curvature;
+    for (std::size_t target = 1; target < number_of_targets; ++target) {
+      Squared_bias& b = table[target][2][j];
+      b.value = std::min(b.value, std::max(b.seen, expected));
+    }
+  }
+}
+
 /// The table of a patch.
 inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder)
 {
@@ -200,6 +235,7 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
     }
     share_evidence(table[target]);
   }
+  if (!ladder.with_normals) expect_falling_terms(table, squared_curvature(patch, ladder));
   return table;
 }
 

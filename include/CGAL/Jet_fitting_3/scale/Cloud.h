@@ -38,6 +38,7 @@ struct Ladder
   std::size_t axes;            ///< where the principal directions are taken
   std::size_t first_reference; ///< the smallest ball with which candidates are compared
   Noise noise;
+  bool with_normals; ///< as data: fits are of the potential of the Gauss map
 
   /// The radius of the patch over which the bias is averaged: a compromise between the bias of one place, and chance.
   double patch() const { return radii[radii.size() - 2]; }
@@ -57,6 +58,7 @@ inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_
 {
   Ladder ladder;
   ladder.noise = noise;
+  ladder.with_normals = has_normals;
   const auto reaches = [&](double multiple) {
     std::size_t j = 0;
     double r = least_radius;

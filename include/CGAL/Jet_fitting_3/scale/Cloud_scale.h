@@ -65,7 +65,7 @@ public:
     Estimate_at_scale e;
     e.choice = m_automatic(i, near);
     const Local_frame& frame = e.choice.frame;
-    const Jet<double> jet = jet_at_scale(m_cloud, near, e.choice, order, noise(), solver);
+    const Jet<double> jet = jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(), solver);
     const Monge_basis<double> monge = monge_basis(jet, frame.axes);
     e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};

@@ -46,6 +46,17 @@ inline Basis_3<double> axes_around(const Vector_3<double>& z)
   return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
+/// The neighbors in a ball around the origin of a frame.
+inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
+{
+  Indices result;
+  for (const std::size_t i : near) {
+    const Vector_3<double> d = cloud.points[i] - frame.origin;
+    if (dot(d, d) <= radius * radius) result.push_back(i);
+  }
+  return result;
+}
+
 /// What a neighbor contributes, in lengths of the given unit: with normals the potential of the Gauss map stands for
 /// the height, see fit_gauss_map().
 struct Local_sample

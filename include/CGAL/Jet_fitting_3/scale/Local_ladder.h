@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
+#include <CGAL/Jet_fitting_3/scale/Surface_cut.h>
 
 #include <algorithm>
 #include <array>
@@ -23,12 +24,13 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The fits of degrees 2, 3, 4 to one ball.
+/// The fits of degrees 2, 3, 4 for one radius.
 struct Rung
 {
-  double size = 0; ///< number of neighbors
+  std::array<double, 3> sizes{}; ///< number of neighbors
   std::array<Turned_second_order, 3> fits;
 
+  double size(std::size_t d) const { return sizes[d - 2]; }
   const Turned_second_order& of_degree(std::size_t d) const { return fits[d - 2]; }
 };
 
@@ -36,17 +38,8 @@ struct Rung
 struct Local_ladder
 {
   Local_frame frame;
-  std::vector<Rung> candidates;                ///< one a radius
-  std::vector<Turned_second_order> references; ///< of degree 4; only where asked for
+  std::vector<Rung> candidates; ///< one a radius
 };
-
-/// Which ball a neighbor is the first in; their number if in none.
-inline std::size_t rung_of(double square, const Ladder& ladder, std::size_t rungs)
-{
-  std::size_t j = 0;
-  while (j < rungs && square > ladder.radii[j] * ladder.radii[j]) ++j;
-  return j;
-}
 
 /// The tangent plane at point i. Neighbors within the radius of ladder.frame, and five times the noise, are needed.
 inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::size_t i, const Ladder& ladder)
@@ -56,81 +49,149 @@ inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::siz
                              : frame_by_positions(cloud, near, i, ladder.radii[ladder.frame], ladder.noise);
 }
 
-/// How far around a point its neighbors are needed for so many rungs: the origin may move, and references are cut by
-/// the surface, not by the ball.
-inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs, bool with_references)
+/// How far around a point its neighbors are needed for so many rungs: the origin may move.
+inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs)
 {
-  const double r = ladder.radii[rungs - 1];
-  return cloud.has_normals() ? r : (with_references ? 1.15 * r : r) + 5 * ladder.noise.position;
+  return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.noise.position);
 }
 
-/// The sums for the candidates, and for references that differ from them: positions alone are cut by the pilot's
-/// surface of degree 2 there, because a ball around the foot point cuts the noise off at its rim, which is bias.
-class Ladder_sums
+/// The sums of all shells from those of each, one more than balls, for what lies outside.
+inline void accumulate(std::vector<Shell_sums>& shells)
+{
+  for (std::size_t j = 1; j < shells.size(); ++j) shells[j] += shells[j - 1];
+}
+
+/// The neighbors of a point, for fits from positions alone.
+class Neighbors_in_balls
 {
 public:
-  Ladder_sums(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-              std::size_t rungs, bool with_references)
-    : candidates(rungs + 1), references(with_references && !cloud.has_normals() ? rungs + 1 : 0),
-      unit(ladder.radii[rungs - 1])
+  Neighbors_in_balls(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
+                     std::size_t rungs)
+    : m_balls(ladder, rungs), m_sums(rungs + 1)
   {
-    const double factor = normal_factor(ladder.noise);
-    const std::array<double, 6> pilot = pilot_surface(cloud, near, frame, ladder);
     for (const std::size_t i : near) {
-      const Local_sample s = local_sample(cloud, i, frame, 1 / unit, factor);
-      if (!s.is_there) continue;
-      Shell_sums& shell = candidates[rung_of(s.square, ladder, rungs)];
-      if (cloud.has_normals()) shell.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
-      else if (&shell != &candidates.back()) shell.add(s.u, s.v, s.height);
-      if (!references.empty()) add_reference(s, pilot, ladder, rungs);
+      const Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), 1);
+      if (m_balls.first(s.u * s.u + s.v * s.v) == rungs) continue;
+      m_neighbors.push_back({s.u, s.v, s.height});
+      m_indices.push_back(i);
+      const std::size_t ball = m_balls.first(s.u * s.u + s.v * s.v + s.height * s.height);
+      if (ball < rungs) m_sums[ball].add_for_degree_2(s.u, s.v, s.height);
     }
-    for (auto* shells : {&candidates, &references})
-      for (std::size_t j = 1; j < shells->size(); ++j) (*shells)[j] += (*shells)[j - 1];
+    accumulate(m_sums);
   }
 
-  std::vector<Shell_sums> candidates, references; ///< one more than rungs, for what lies outside
-  double unit;
+  const Balls& balls() const { return m_balls; }
+
+  /// For degree 2.
+  const std::vector<Shell_sums>& sums_of_balls() const { return m_sums; }
+
+  /// For degrees 3 and 4.
+  std::vector<Shell_sums> sums_over_surface(const Surface_cut& cut) const
+  {
+    std::vector<Shell_sums> sums(m_balls.size() + 1);
+    for (const Vector_3<double>& s : m_neighbors) {
+      const std::size_t ball = cut.first(s.x, s.y, s.z);
+      if (ball < m_balls.size()) sums[ball].add(s.x, s.y, s.z);
+    }
+    accumulate(sums);
+    return sums;
+  }
+
+  /// Those that ball j has for degrees 3 and 4.
+  Indices over_surface(const Surface_cut& cut, std::size_t j) const
+  {
+    Indices result;
+    for (std::size_t k = 0; k < m_neighbors.size(); ++k)
+      if (cut.first(m_neighbors[k].x, m_neighbors[k].y, m_neighbors[k].z) <= j) result.push_back(m_indices[k]);
+    return result;
+  }
 
 private:
-  std::array<double, 6> pilot_surface(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                      const Ladder& ladder) const
-  {
-    std::array<double, 6> pilot{};
-    if (references.empty()) return pilot;
-    const double r = ladder.radii[ladder.frame];
-    const Nested_fit fit = fit_ball(cloud, near, frame, r, ladder.noise);
-    const double f = unit / r, factor[] = {1 / f, 1, 1, f, f, f};
-    if (fit.determines(2))
-      for (std::size_t a = 0; a < 6; ++a) pilot[a] = factor[a] * fit.coefficient(a, 2);
-    return pilot;
-  }
-
-  void add_reference(const Local_sample& s, const std::array<double, 6>& pilot, const Ladder& ladder, std::size_t rungs)
-  {
-    double m[6];
-    monomials<2>(s.u, s.v, m);
-    double height = 0;
-    for (std::size_t a = 0; a < 6; ++a) height += pilot[a] * m[a];
-    const double square = s.u * s.u + s.v * s.v + height * height;
-    const double most = std::max(6 * ladder.noise.position / unit, 0.2 * std::sqrt(square));
-    if (!(std::abs(s.height - height) <= most)) return;
-    const std::size_t j = rung_of(unit * unit * square, ladder, rungs);
-    if (j < rungs) references[j].add(s.u, s.v, s.height);
-  }
+  Balls m_balls;
+  std::vector<Vector_3<double>> m_neighbors;
+  Indices m_indices; // of the neighbors
+  std::vector<Shell_sums> m_sums;
 };
 
-/// Fits to so many balls around point i.
-inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                 const Ladder& ladder, std::size_t rungs, bool with_references)
+/// To each of the balls.
+inline std::vector<Second_order> fits_of_degree_2(const std::vector<Shell_sums>& sums, const Row_weights& weights,
+                                                  const Balls& balls)
 {
-  const Ladder_sums sums(cloud, near, frame, ladder, rungs, with_references);
-  const Row_weights weights(cloud, ladder.noise, sums.unit);
-  std::vector<std::array<Second_order, 3>> fits(rungs);
+  std::vector<Second_order> result;
+  for (std::size_t j = 0; j < balls.size(); ++j)
+    result.push_back(second_order(Nested_fit(sums[j], weights.height, 0), 2, balls.unit()));
+  return result;
+}
+
+/// Which neighbors a fit has.
+inline Indices neighbors_of_fit(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
+                                std::size_t rung, std::size_t degree)
+{
+  if (cloud.has_normals() || degree == 2) return inside(cloud, near, frame, ladder.radii[rung]);
+  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, rung + 1);
+  const Row_weights weights(cloud, ladder.noise, neighbors.balls().unit());
+  const auto low = fits_of_degree_2(neighbors.sums_of_balls(), weights, neighbors.balls());
+  return neighbors.over_surface(Surface_cut(neighbors.balls(), low, ladder), rung);
+}
+
+/// The fits of a radius, and their numbers of neighbors.
+struct Fits_of_radius
+{
+  std::array<double, 3> sizes;
+  std::array<Second_order, 3> fits;
+};
+
+/// From positions alone.
+inline std::vector<Fits_of_radius> fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                                     const Ladder& ladder, std::size_t rungs)
+{
+  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, rungs);
+  const Balls& balls = neighbors.balls();
+  const Row_weights weights(cloud, ladder.noise, balls.unit());
+  const std::vector<Shell_sums>& of_balls = neighbors.sums_of_balls();
+  const std::vector<Second_order> low = fits_of_degree_2(of_balls, weights, balls);
+  const std::vector<Shell_sums> sums = neighbors.sums_over_surface(Surface_cut(balls, low, ladder));
+  std::vector<Fits_of_radius> result;
   for (std::size_t j = 0; j < rungs; ++j) {
-    const Nested_fit fit(sums.candidates[j], weights.height, weights.slope);
-    for (std::size_t d = 2; d <= highest_degree; ++d) fits[j][d - 2] = second_order(fit, d, sums.unit);
+    const Nested_fit fit(sums[j], weights.height, 0);
+    result.push_back({{of_balls[j].size(), sums[j].size(), sums[j].size()},
+                      {low[j], second_order(fit, 3, balls.unit()), second_order(fit, 4, balls.unit())}});
+    for (Second_order& s : result[j].fits) s = with_misfit_as_noise(s);
   }
-  const Second_order& pilot = fits[std::min(ladder.axes, rungs - 1)][0];
+  return result;
+}
+
+/// With normals, which tell other sheets, and whose noise is not cut off.
+inline std::vector<Fits_of_radius> fits_with_normals(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                                     const Ladder& ladder, std::size_t rungs)
+{
+  const Balls balls(ladder, rungs);
+  const Row_weights weights(cloud, ladder.noise, balls.unit());
+  const double factor = normal_factor(ladder.noise);
+  std::vector<Shell_sums> sums(rungs + 1);
+  for (const std::size_t i : near) {
+    const Local_sample s = local_sample(cloud, i, frame, 1 / balls.unit(), factor);
+    const std::size_t ball = balls.first(s.square / (balls.unit() * balls.unit()));
+    if (s.is_there && ball < rungs) sums[ball].add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+  }
+  accumulate(sums);
+  std::vector<Fits_of_radius> result;
+  for (std::size_t j = 0; j < rungs; ++j) {
+    const Nested_fit fit(sums[j], weights.height, weights.slope);
+    const double size = sums[j].size();
+    result.push_back({{size, size, size}, {}});
+    for (std::size_t d = 2; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, balls.unit());
+  }
+  return result;
+}
+
+/// Fits for so many radii around point i.
+inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                 const Ladder& ladder, std::size_t rungs)
+{
+  const std::vector<Fits_of_radius> fits = cloud.has_normals() ? fits_with_normals(cloud, near, frame, ladder, rungs)
+                                                               : fits_to_positions(cloud, near, frame, ladder, rungs);
+  const Second_order& pilot = fits[std::min(ladder.axes, rungs - 1)].fits[0];
   const auto eigen = numeric::symmetric_eigen_2(pilot.value[2], std::sqrt(0.5) * pilot.value[3], pilot.value[4]);
   const bool first = std::abs(eigen.larger_value) >= std::abs(eigen.smaller_value);
   const double c = first ? eigen.x : -eigen.y, s = first ? eigen.y : eigen.x;
@@ -140,14 +201,9 @@ inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const 
   result.frame = {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
   result.candidates.resize(rungs);
   for (std::size_t j = 0; j < rungs; ++j) {
-    result.candidates[j].size = sums.candidates[j].size();
-    for (std::size_t d = 0; d < 3; ++d) result.candidates[j].fits[d] = turned(fits[j][d], c, s);
+    result.candidates[j].sizes = fits[j].sizes;
+    for (std::size_t d = 0; d < 3; ++d) result.candidates[j].fits[d] = turned(fits[j].fits[d], c, s);
   }
-  for (std::size_t j = 0; with_references && j < rungs; ++j)
-    result.references.push_back(
-        cloud.has_normals()
-            ? result.candidates[j].of_degree(4)
-            : turned(second_order(Nested_fit(sums.references[j], weights.height, 0), 4, sums.unit), c, s));
   return result;
 }
 

@@ -28,6 +28,7 @@ struct Choice
   double radius = 0;
   std::size_t rung = 0, degree = 2;
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
+  double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
 };
@@ -37,7 +38,7 @@ struct Choice
 inline double squared_error(const Choice& choice)
 {
   const double evidence = std::max(0., choice.evidence - 1);
-  return choice.excess * choice.variance + std::min(constant::bias_factor * choice.squared_bias,
+  return choice.excess * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
                                                     choice.variance * (constant::hidden + evidence * evidence));
 }
 
@@ -62,13 +63,13 @@ inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::s
   double least = unknown;
   for (std::size_t j = ladder.first; j < local.candidates.size(); ++j)
     for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
-      if (!is_candidate(target, degree) || local.candidates[j].size < least_neighbors_of(degree)) continue;
+      if (!is_candidate(target, degree) || local.candidates[j].size(degree) < least_neighbors_of(degree)) continue;
       const Turned_second_order& fit = local.candidates[j].of_degree(degree);
       const double v = variance(fit, target);
       const Squared_bias& b = bias[degree - 2][j];
       if (!(b.value + v < least)) continue;
       least = b.value + v;
-      choice = {ladder.radii[j], j, degree, b.value, v, b.evidence, fit.excess};
+      choice = {ladder.radii[j], j, degree, b.value, v, b.most, b.evidence, fit.excess};
     }
   return least < unknown;
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +26,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Second_order
 {
   double height = 0; ///< at the origin
-  double excess = 1; ///< of noise in the samples over that of the weights
+  double excess = 1; ///< of noise in the samples over that of the covariance
   std::array<double, 5> value{};
   std::array<std::array<double, 5>, 5> covariance{};
 };
@@ -48,6 +49,17 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
       result.covariance[a][b] = result.covariance[b][a] = factor[a] * factor[b] * fit.covariance(a + 1, b + 1, degree);
   }
   return result;
+}
+
+/// With a variance that contains misfit: what a fit leaves is noise of its estimates, because samples are spread by
+/// chance, but far less than noise of its size where it is smooth. Half of it counts.
+inline Second_order with_misfit_as_noise(Second_order s)
+{
+  const double factor = std::max(1., s.excess / 2);
+  for (auto& row : s.covariance)
+    for (double& c : row) c *= factor;
+  s.excess /= factor;
+  return s;
 }
 
 /// The values in axes that are turned by an angle from x to y, with the variances of each.

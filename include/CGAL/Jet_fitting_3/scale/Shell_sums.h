@@ -41,6 +41,16 @@ struct Shell_sums
     add(u, v, height, m);
   }
 
+  /// A neighbor without normal, for a fit of degree 2 at most: only these sums are formed.
+  void add_for_degree_2(double u, double v, double height)
+  {
+    double m[number_of_jet_coefficients(4)];
+    monomials<4>(u, v, m);
+    for (std::size_t k = 0; k < number_of_jet_coefficients(4); ++k) moments[k] += m[k];
+    for (std::size_t k = 0; k < number_of_jet_coefficients(2); ++k) heights[k] += height * m[k];
+    squared_heights += height * height;
+  }
+
   /// A neighbor whose normal gives the slopes.
   void add(double u, double v, double height, double slope_u, double slope_v, double lever)
   {

@@ -24,24 +24,20 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Step 2 on a ball around the origin of the frame, in the frame's axes; its solution is in units of `unit`.
+/// Step 2 on samples around the origin of the frame, in the frame's axes; its solution is in units of `unit`.
 struct Fit_at_scale
 {
   Jet_fit<double> fit;
   double unit;
 };
 
-/// \param near holds the neighbors within the radius, and perhaps others
+/// \param inside the samples
+/// \param radius what they are within, about
 template <class Solver>
-Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
-                          std::size_t degree, const Noise& noise, Solver& solver)
+Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Local_frame& frame, double radius,
+                            std::size_t degree, const Noise& noise, Solver& solver)
 {
   const double unit = numeric::power_of_two_above(radius), per_unit = 1 / unit;
-  Indices inside;
-  for (const std::size_t i : near) {
-    const Vector_3<double> d = cloud.points[i] - frame.origin;
-    if (dot(d, d) <= radius * radius) inside.push_back(i);
-  }
   Oriented_samples<double> samples;
   samples.resize(inside.size());
   for (std::size_t k = 0; k < inside.size(); ++k) {
@@ -58,6 +54,23 @@ Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_f
   return result;
 }
 
+/// To a ball. \param near holds the neighbors within the radius, and perhaps others
+template <class Solver>
+Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
+                          std::size_t degree, const Noise& noise, Solver& solver)
+{
+  return fit_to_samples(cloud, inside(cloud, near, frame, radius), frame, radius, degree, noise, solver);
+}
+
+/// To the neighbors of a candidate. \param near holds the neighbors within reach() of it, and perhaps others
+template <class Solver>
+Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Choice& choice,
+                           const Ladder& ladder, Solver& solver)
+{
+  const Indices inside = neighbors_of_fit(cloud, near, frame, ladder, choice.rung, choice.degree);
+  return fit_to_samples(cloud, inside, frame, choice.radius, choice.degree, ladder.noise, solver);
+}
+
 /// Whether noise leaves fewer digits than normal equations. Not with normals: what is compared leaves the defect of the
 /// Gauss map out.
 inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, double radius)
@@ -66,19 +79,19 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 }
 
 /// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
-/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit to the
-/// ball of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the digits,
-/// else balls are fitted anew, by orthogonalization; equal choices share a fit.
-/// \param near holds the neighbors within the largest chosen radius
+/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit with the
+/// radius of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the digits,
+/// else fits are made anew, by orthogonalization; equal choices share a fit.
+/// \param near holds the neighbors within reach() of the largest chosen radius
 template <class Solver>
 Jet<double> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale, std::size_t order,
-                         const Noise& noise, Solver& solver)
+                         const Ladder& ladder, Solver& solver)
 {
   std::vector<std::pair<Choice, Jet<double>>> fits;
   const auto fitted = [&](const Choice& c) -> const Jet<double>& {
     for (const auto& known : fits)
       if (known.first.rung == c.rung && known.first.degree == c.degree) return known.second;
-    fits.emplace_back(c, fit_at_scale(cloud, near, scale.frame, c.radius, c.degree, noise, solver).fit.jet);
+    fits.emplace_back(c, fit_of_choice(cloud, near, scale.frame, c, ladder, solver).fit.jet);
     return fits.back().second;
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
@@ -88,7 +101,7 @@ Jet<double> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_sc
     const Jet<double> of_order = fitted(higher);
     for (std::size_t k = 3; k <= order; ++k) std::copy_n(of_order.part(k), k + 1, jet.part(k));
   }
-  if (scale.is_chosen && noise_exceeds_rounding(cloud, noise, scale.normal.radius)) {
+  if (scale.is_chosen && noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius)) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
     return jet;
   }
