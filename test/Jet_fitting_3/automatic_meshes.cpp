@@ -179,7 +179,8 @@ void same_bits()
     different += forms[v].coefficients() != noisy.forms[v].coefficients() ||
                  forms[v].normal_direction() != noisy.forms[v].normal_direction();
   check_equal(different, std::size_t(0), "forms that depend on the number of threads");
-  check_true(one.quality(Vertex(5)).scale.third_order_error > 0, "the error of third order coefficients is reported");
+  check_true(one.quality(Vertex(5)).scale.third_order_errors[0] > 0,
+             "the error of third order coefficients is reported");
 }
 
 // One vertex that is not finite, one without neighbors: all others are estimated.

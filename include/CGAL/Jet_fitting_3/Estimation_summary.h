@@ -40,9 +40,9 @@ struct Chosen_scale
   /// 95 of 100 cases. Of point sets; 0 on meshes.
   std::array<double, 2> curvature_errors{};
 
-  /// Of a third order coefficient, the root of squared bias and variance, as estimated, 1/length^2; 0 if none was
-  /// chosen for: below degree 3, and on point sets.
-  double third_order_error = 0;
+  /// Standard errors of b0 and of b3, 1/length^2, that contain noise and bias; 0 if they were not chosen for: below
+  /// degree 3, and on point sets.
+  std::array<double, 2> third_order_errors{};
 };
 
 /// \ingroup PkgJetFitting3Results
@@ -60,6 +60,7 @@ struct Fit_quality
   {
     standard_errors.turn();
     std::swap(scale.curvature_errors[0], scale.curvature_errors[1]);
+    std::swap(scale.third_order_errors[0], scale.third_order_errors[1]);
   }
 };
 

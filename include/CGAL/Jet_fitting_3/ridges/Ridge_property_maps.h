@@ -74,13 +74,23 @@ Ridge_values ridge_values(const Monge_form<Kernel>& form)
   return values;
 }
 
+/// Whether there is noise beyond what the shape may be. Without it the errors that automatic() estimates are too small
+/// where it takes a few millionths of an edge for noise, as on spheres.
+inline bool is_told_from_shape(const Noise& noise) { return noise.position > 2 * noise.position_error; }
+
 /// What a summary tells of the values at a vertex.
-inline void set_report(Ridge_values& values, const Estimation_status& status, const Fit_quality& quality)
+inline void set_report(Ridge_values& values, const Estimation_status& status, const Fit_quality& quality,
+                       const Noise& noise)
 {
   values.is_estimated = values.is_estimated && status.is_estimated() && !status.has(Status_flag::degree_lowered);
   if (quality.number_of_points > 0 && quality.condition_number > 0)
     values.fit = Ridge_fit{quality.number_of_points, quality.condition_number};
-  if (quality.scale.third_order_error > 0) values.max.error = values.min.error = quality.scale.third_order_error;
+  const auto& chosen = quality.scale.third_order_errors;
+  if (chosen[0] > 0 && chosen[1] > 0) {
+    values.max.error = chosen[0];
+    values.min.error = chosen[1];
+    values.errors_contain_bias = is_told_from_shape(noise);
+  }
   const auto& errors = quality.standard_errors.coefficients;
   if (errors.size() < monge_offset(4)) return;
   values.max.error = errors[monge_offset(3)];
@@ -276,7 +286,8 @@ private:
   static void complete(const Mesh& mesh, const Contents& made)
   {
     for (const vertex_descriptor& v : make_range(vertices(mesh)))
-      internal::set_report(made.table->values[made.table->number(v)], made.summary.status(v), made.summary.quality(v));
+      internal::set_report(made.table->values[made.table->number(v)], made.summary.status(v), made.summary.quality(v),
+                           made.summary.noise);
     internal::fill_gaps(mesh, *made.table);
   }
 

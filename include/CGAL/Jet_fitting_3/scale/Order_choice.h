@@ -29,15 +29,15 @@ constexpr double largest_radius = 24;
 struct Order_estimate
 {
   std::vector<double>
-      derivatives;         ///< z_x..x, z_x..xy, ..., z_y..y, in length^(1 - order); empty: there is no candidate
-  double variance = 0;     ///< of one of them by noise, in the mean over all axes
-  double squared_bias = 0; ///< estimated, likewise
+      derivatives;           ///< z_x..x, z_x..xy, ..., z_y..y, in length^(1 - order); empty: there is no candidate
+  std::vector<double> risks; ///< their squared errors, by noise and bias, as estimated
 
   bool exists() const { return !derivatives.empty(); }
+  double error(std::size_t j) const { return std::sqrt(risks[j]); }
 };
 
-/// Chooses radii and degrees for derivatives of order 3 or 4, as Surface_choice does for order 2, but for all
-/// derivatives together and in disks only.
+/// Chooses radii and degrees for derivatives of order 3 or 4 in principal axes, each for itself, as Surface_choice does
+/// for order 2, but in disks only.
 template <class Neighbors>
 class Order_choice
 {
@@ -50,11 +50,12 @@ public:
   /// \param unit the mean edge; radii are 2 to largest_radius of it
   /// \param highest degree of a candidate, at least the order
   /// \param height potentials, which have the surface's derivatives to order 3, are taken for that order only
+  /// \param frame_at frame_at(walker, i) has principal axes, as those of Second_order_estimate
   /// \param for_each as for Surface_choice
-  template <class For_each>
+  template <class Frame_at, class For_each>
   Order_choice(const Surface& surface, double square_of_noise, double unit, std::size_t order, std::size_t highest,
-               Height height, const For_each& for_each)
-    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_order(order), m_all{0, order + 1},
+               Height height, const Frame_at& frame_at, const For_each& for_each)
+    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_order(order),
       m_fitter(surface, unit, most_samples, order == 3 ? height : Height::z)
   {
     std::vector<double> radii;
@@ -62,7 +63,9 @@ public:
     std::vector<std::size_t> degrees;
     for (std::size_t d = order; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
     m_ladder = ladder_of(std::move(radii), std::move(degrees));
-    learn(for_each);
+    for (std::size_t j = 0; j <= order; ++j) m_targets.push_back({j, j + 1});
+    m_targets.push_back({0, order + 1});
+    learn(frame_at, for_each);
   }
 
   const Ladder& ladder() const { return m_ladder; }
@@ -71,42 +74,49 @@ public:
   Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
   {
     const Place& place = m_places[nearest_place(m_points, m_surface.points[i])];
-    const Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, place.selection, false);
-    if (is_like(place, candidates)) return mean(candidates, place.choice);
-    const Candidates all = all_candidates(walker, i, frame);
-    return mean(all, choose_at(i, all));
+    Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, place.selection, false);
+    if (is_like(place, candidates)) return mean(candidates, place.choices, is_reversed(place, frame.axes.x));
+    candidates = all_candidates(walker, i, frame);
+    return mean(candidates, choose_at(i, candidates, frame.axes.x), false);
   }
 
 private:
+  using Choices = std::vector<Choice>;
   struct Place
   {
-    Candidates candidates; // only while learning
-    Comparisons comparisons;
+    Candidates candidates;                // only while learning
+    std::vector<Comparisons> comparisons; // of targets
     std::vector<double> variances;
-    Choice choice;
-    Selection selection; // what it uses
-    double size = 0;     // sum of the squares of the derivatives
+    Choices choices;       // of components
+    Selection selection;   // what they use
+    Vector_3<double> axis; // the first principal one
+    double size = 0;       // sum of the squares of the derivatives
   };
 
-  template <class For_each>
-  void learn(const For_each& for_each)
+  std::size_t all() const { return m_order + 1; }
+
+  template <class Frame_at, class For_each>
+  void learn(const Frame_at& frame_at, const For_each& for_each)
   {
     const std::vector<std::size_t> vertices = spread_vertices(m_surface.points.size(), most_places);
     for (const std::size_t i : vertices) m_points.push_back(m_surface.points[i]);
     m_places.resize(vertices.size());
     for_each(vertices.size(), [&] {
       return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
-        const Local_frame frame = tangent_frame(m_surface, walker, vertices[k], m_unit);
+        const Local_frame frame = frame_at(walker, vertices[k]);
+        m_places[k].axis = frame.axes.x;
         look_at(m_places[k], all_candidates(walker, vertices[k], frame));
       };
     });
     for_each(vertices.size(), [&] {
-      return [&](std::size_t k) { m_places[k].choice = choose_at(vertices[k], m_places[k].candidates); };
+      return [&](std::size_t k) {
+        m_places[k].choices = choose_at(vertices[k], m_places[k].candidates, m_places[k].axis);
+      };
     });
     for (Place& place : m_places) {
       place.candidates.clear();
       place.selection = Selection(m_ladder);
-      place.selection.add(m_ladder, place.choice);
+      for (const Choice& choice : place.choices) place.selection.add(m_ladder, choice);
     }
   }
 
@@ -118,7 +128,8 @@ private:
   void look_at(Place& place, Candidates candidates) const
   {
     place.candidates = std::move(candidates);
-    place.comparisons = compare_all(place.candidates, m_ladder, m_all, m_square_of_noise);
+    for (const Target& target : m_targets)
+      place.comparisons.push_back(compare_all(place.candidates, m_ladder, target, m_square_of_noise));
     place.variances.assign(m_ladder.size(), 0);
     for (std::size_t c = 0; c < m_ladder.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
@@ -135,55 +146,79 @@ private:
     return sum;
   }
 
-  /// By what the places around it say, and by its own candidates where noise cannot explain what they say.
-  Choice choose_at(std::size_t i, const Candidates& candidates) const
+  // What the places around a vertex say of a target in principal axes of which this is the first.
+  Bias_model model(const Near& near, std::size_t target, const Vector_3<double>& axis) const
   {
-    const Near near = nearest_places(m_points, m_surface.points[i], patch + 1);
     const std::size_t count = std::min(patch, near.size());
     std::vector<const Comparisons*> members;
     double size = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      members.push_back(&m_places[near[k].second].comparisons);
-      size += m_places[near[k].second].size / double(count);
+      const Place& place = m_places[near[k].second];
+      members.push_back(&place.comparisons[target == all() || !is_reversed(place, axis) ? target : m_order - target]);
+      size += place.size / double(count);
     }
-    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first) / m_unit, m_all);
-    Bias_model model = Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
-    const Comparisons own = compare_all(candidates, m_ladder, m_all, m_square_of_noise);
-    for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, m_ladder, t, own[t], 12);
-    return choose(candidates, model, m_all, m_square_of_noise);
+    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first) / m_unit, m_targets[target]);
+    return Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
+  }
+
+  // By what the places around it say, and by its own candidates where noise cannot explain what they say. One component
+  // may have hardly any bias, but not none: a hundredth of the mean at least.
+  Choices choose_at(std::size_t i, const Candidates& candidates, const Vector_3<double>& axis) const
+  {
+    const Near near = nearest_places(m_points, m_surface.points[i], patch + 1);
+    const Bias_model of_all = model(near, all(), axis);
+    Choices choices;
+    for (std::size_t j = 0; j < all(); ++j) {
+      Bias_model of_one = model(near, j, axis);
+      for (std::size_t k = 0; k < of_one.terms.size(); ++k)
+        of_one.terms[k] = std::max(of_one.terms[k], 0.01 * of_all.terms[k]);
+      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_square_of_noise);
+      for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(of_one, m_ladder, t, own[t], 12);
+      choices.push_back(choose(candidates, of_one, m_targets[j], m_square_of_noise));
+    }
+    return choices;
   }
 
   bool is_like(const Place& place, const Candidates& candidates) const
   {
-    if (!place.choice.exists()) return false;
-    for (std::size_t c = 0; c < candidates.size(); ++c)
-      if (is_used(place.choice, c) && !(candidates[c] && candidates[c].variance <= 1.5 * place.variances[c]))
-        return false;
+    for (const Choice& choice : place.choices) {
+      if (!choice.exists()) return false;
+      for (std::size_t c = 0; c < candidates.size(); ++c)
+        if (is_used(choice, c) && !(candidates[c] && candidates[c].variance <= 1.5 * place.variances[c])) return false;
+    }
     return true;
   }
 
-  Order_estimate mean(const Candidates& candidates, const Choice& choice) const
+  // Whether the first principal direction at the place is rather the second of these axes.
+  static bool is_reversed(const Place& place, const Vector_3<double>& axis)
+  {
+    const double c = dot(place.axis, axis);
+    return c * c < 0.5;
+  }
+
+  Order_estimate mean(const Candidates& candidates, const Choices& choices, bool reversed) const
   {
     Order_estimate result;
-    if (!choice.exists()) return result;
-    result.derivatives.assign(m_order + 1, 0);
-    double sum = 0;
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (!is_used(choice, c)) continue;
-      sum += choice.weights[c];
-      for (std::size_t j = 0; j <= m_order; ++j) result.derivatives[j] += choice.weights[c] * candidates[c].values[j];
-    }
     const double unit = std::pow(m_unit, 1 - double(m_order));
-    for (std::size_t j = 0; j <= m_order; ++j) result.derivatives[j] *= unit / sum / std::sqrt(binomial(m_order, j));
-    result.variance = unit * unit * choice.variance / double(m_order + 1);
-    result.squared_bias = unit * unit * choice.squared_bias / double(m_order + 1);
+    for (std::size_t j = 0; j <= m_order; ++j) {
+      const Choice& choice = choices[reversed ? m_order - j : j];
+      if (!choice.exists()) return {};
+      double sum = 0, value = 0;
+      for (std::size_t c = 0; c < candidates.size(); ++c) {
+        if (!is_used(choice, c)) continue;
+        sum += choice.weights[c];
+        value += choice.weights[c] * candidates[c].values[j];
+      }
+      result.derivatives.push_back(value * unit / sum / std::sqrt(binomial(m_order, j)));
+      result.risks.push_back(unit * unit * choice.risk() / binomial(m_order, j));
+    }
     return result;
   }
 
   const Surface& m_surface;
   double m_unit, m_square_of_noise;
   std::size_t m_order;
-  Target m_all;
+  std::vector<Target> m_targets; // the components, and all
   Ladder m_ladder;
   Disk_fitter<Neighbors> m_fitter;
   std::vector<Vector_3<double>> m_points; // of the places

@@ -26,6 +26,7 @@
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -75,8 +76,8 @@ public:
   struct Result
   {
     averaging::Second_order_estimate second;
-    Jet<double> jet;             ///< in the unit of the points
-    double third_order_risk = 0; ///< squared error of a third derivative, as estimated
+    Jet<double> jet;                            ///< in the unit of the points
+    std::array<double, 2> third_order_errors{}; ///< of b0 and b3, as estimated
     bool exists = false;
   };
 
@@ -87,9 +88,10 @@ public:
                m_surface.mean_edge(), degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
     const double variance = averaging::variance_in_units(m_noise.position, m_surface.mean_edge());
+    const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
       m_higher.emplace_back(m_surface.surface(), variance, m_surface.mean_edge(), order, degrees.highest,
-                            m_choice.height(), For_each_with_body<ConcurrencyTag>());
+                            m_choice.height(), frame_at, For_each_with_body<ConcurrencyTag>());
   }
 
   Walker walker() const { return Walker(m_surface.surface()); }
@@ -115,7 +117,10 @@ public:
       const averaging::Order_estimate higher = m_higher[k].estimate(walker, i, second.frame);
       if (!higher.exists()) return result;
       std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
-      if (k == 0) result.third_order_risk = higher.variance + higher.squared_bias;
+      if (k == 0) {
+        result.third_order_errors = {higher.error(0), higher.error(3)};
+        if (second.xx < second.yy) std::swap(result.third_order_errors[0], result.third_order_errors[1]);
+      }
     }
     result.exists = order <= 4 || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
                                                                largest_radius(), solver, result.jet);
@@ -220,7 +225,7 @@ private:
     scale.degree = chosen.second.degree;
     scale.bias = std::sqrt(chosen.second.squared_bias / 2);
     scale.standard_deviation = std::sqrt(chosen.second.variance / 2);
-    scale.third_order_error = std::sqrt(chosen.third_order_risk);
+    scale.third_order_errors = chosen.third_order_errors;
     set_automatic_result(result, m_points, i, e, scale, m_points.per_length());
   }
 

@@ -47,7 +47,7 @@ void set_automatic_result(Estimated_form<Kernel>& result, const Point_table<Kern
                    scale.bias / unit,
                    scale.standard_deviation / unit,
                    {scale.curvature_errors[0] / unit, scale.curvature_errors[1] / unit},
-                   scale.third_order_error / (unit * unit)};
+                   {scale.third_order_errors[0] / (unit * unit), scale.third_order_errors[1] / (unit * unit)}};
   result.quality.push_back(quality);
 }
 

@@ -62,7 +62,8 @@ struct Ridge_values
   Ridge_quantities max{0, 0, 0, {1, 0, 0}, {}}, min{0, 0, 0, {0, 1, 0}, {}};
   double b1 = 0, b2 = 0;
   std::optional<Ridge_fit> fit;
-  bool is_estimated = false; ///< the values are those of this vertex, of the degree that was asked for
+  bool errors_contain_bias = false; ///< not noise alone
+  bool is_estimated = false;        ///< the values are those of this vertex, of the degree that was asked for
 };
 
 inline bool is_finite(const Ridge_quantities& q)
