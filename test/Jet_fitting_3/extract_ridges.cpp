@@ -7,16 +7,12 @@
 // Ridges and umbilics as values: on surfaces where they are known, against CGAL's own extraction, with bad vertices, and
 // with noise.
 
-#include "analytic_meshes.h"
 #include "check.h"
+#include "noisy_ridges.h"
 
-#include <CGAL/Jet_fitting_3/extract_ridges.h>
 #include <CGAL/Jet_fitting_3/extract_umbilics.h>
-#include <CGAL/Jet_fitting_3/ridges.h>
 #include <CGAL/Jet_fitting_3/ridges/smooth_ridge_line.h>
 #include <CGAL/Ridges.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 
@@ -28,28 +24,6 @@
 
 using namespace test;
 using namespace CGAL::Jet_fitting;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-using Maps = Ridge_property_maps<Mesh>;
-using Lines = std::vector<Ridge_line<Kernel>>;
-
-Mesh mesh_of(const Analytic_mesh& analytic)
-{
-  Mesh mesh;
-  build(analytic, mesh);
-  return mesh;
-}
-
-double distance(const Point_3& a, const Point_3& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
-
-double mean_edge_length(const Mesh& mesh)
-{
-  double sum = 0;
-  for (const auto e : edges(mesh)) sum += distance(mesh.point(target(e, mesh)), mesh.point(source(e, mesh)));
-  return sum / double(num_edges(mesh));
-}
 
 double longest_edge(const Mesh& mesh)
 {
@@ -443,40 +417,6 @@ void filters()
   check_near(large.lines[0].sharpness / all.lines[0].sharpness, 100 / (all.model_size * all.model_size), 1e-12,
              "sharpness goes with the square of the size");
 }
-
-Mesh noisy(const Analytic_mesh& analytic, double noise, unsigned seed)
-{
-  Mesh mesh = mesh_of(analytic);
-  const double sigma = noise * mean_edge_length(mesh);
-  std::mt19937 random(seed);
-  std::normal_distribution<double> gauss(0, sigma);
-  for (const auto v : vertices(mesh)) {
-    const Point_3 p = mesh.point(v);
-    const Point n = analytic.truth(Point(p.x(), p.y(), p.z())).normal;
-    const double shift = gauss(random);
-    mesh.point(v) = p + shift * Kernel::Vector_3(n.x, n.y, n.z);
-  }
-  return mesh;
-}
-
-// The length of the lines within a distance of others.
-double length_near(const Lines& lines, const Lines& others, double reach)
-{
-  double sum = 0;
-  for (const auto& line : lines)
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const auto is_near = [&](const auto& other) {
-        return is_max(other.type) == is_max(line.type) &&
-               std::any_of(other.points.begin(), other.points.end(),
-                           [&](const auto& p) { return distance(p.point, line.points[i].point) < reach; });
-      };
-      if (std::any_of(others.begin(), others.end(), is_near))
-        sum += distance(line.points[i].point, line.points[i - 1].point);
-    }
-  return sum;
-}
-
-double length_of(const Lines& lines) { return length_near(lines, lines, 1e-9); }
 
 // Noise draws ridges all over a sphere, which are not significant; those of an ellipsoid are.
 void noise()

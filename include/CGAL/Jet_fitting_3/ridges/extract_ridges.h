@@ -62,6 +62,9 @@ struct Ridge_options
   /// it is, over the reach of the neighborhood or while the normal turns by a radian. With a significance, what may be
   /// noise by the standard errors is left to that. If false, lines are drawn at random where b vanishes identically, as
   /// on spheres, cylinders, tori.
+  /// With automatic(), where there is noise, lines are drawn along which b exceeds half of the error that it reports,
+  /// bias included, if somewhere they are certain in the above way, or b exceeds six times that error and a quarter
+  /// of the other bounds.
   bool only_certain = true;
 
   /// How far rounding may have moved the points, in length, besides that of their number type: for coordinates read
@@ -126,6 +129,13 @@ inline void check_ridge_field(const Ridge_field& field, const Ridge_options& opt
                         "Options::standard_errors");
 }
 
+/// Whether the errors of b contain bias, as those of automatic() do.
+inline bool have_total_errors(const Ridge_field& field)
+{
+  return std::any_of(field.values->begin(), field.values->end(),
+                     [](const Ridge_values& v) { return v.errors_contain_bias; });
+}
+
 inline bool have_same_type(const Ridge_segment& a, const Ridge_segment& b) { return a.is_elliptic == b.is_elliptic; }
 
 /// Which segments are more than errors at both ends.
@@ -138,6 +148,24 @@ std::vector<bool> exceed_errors(const Ridge_field& field, const Ridge_view& view
   result.reserve(segments.size());
   for (const Ridge_segment& s : segments) result.push_back(is_significant(s.ends[0]) && is_significant(s.ends[1]));
   return result;
+}
+
+/// Of the lines along which b exceeds half of the errors that contain bias, those that are certain somewhere (hysteresis,
+/// as for the edges of an image): because b exceeds what errors can make of zero, or these errors many times. With little
+/// noise these may be too small on spheres, so it has to exceed a part of the other, which noise enlarges, too.
+inline std::vector<Ridge_segment> certain_lines(const Ridge_field& field, const Ridge_view& view,
+                                                const std::vector<Ridge_segment>& segments)
+{
+  const auto error = [&view](Index v) { return view[v].error.value_or(0); };
+  const auto exceeds_half = [&](Index v) { return std::abs(view.b(v)) > 0.5 * error(v); };
+  const auto is_certain = [&](Index v) {
+    const double b = std::abs(view.b(v));
+    return b > view.tolerance(v) || (b > 6 * error(v) && b > 0.25 * view.tolerance(v));
+  };
+  const auto always = [](const Ridge_segment&, const Ridge_segment&) { return true; };
+  const std::vector<Ridge_segment> weak =
+      segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_half), 0, always);
+  return segments_near_certain_ones(weak, exceed_errors(field, view, weak, is_certain), weak.size(), always);
 }
 
 /// The segments of one colour that the options let pass.
@@ -156,7 +184,8 @@ inline std::vector<Ridge_segment> selected_segments(const Ridge_field& field, co
     return std::abs(view.b(v)) > view.tolerance(v) || view.tolerance(v) <= 4 * noise(v);
   };
   const auto exceeds_noise = [&](Index v) { return std::abs(view.b(v)) >= noise(v); };
-  if (options.only_certain) // before the other test makes gaps
+  if (options.only_certain && have_total_errors(field)) segments = certain_lines(field, view, segments);
+  else if (options.only_certain) // before the other test makes gaps
     segments = segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_tolerance), steps,
                                           have_same_type);
   if (options.significance > 0)

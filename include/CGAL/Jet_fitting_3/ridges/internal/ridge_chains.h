@@ -76,7 +76,10 @@ std::vector<Ridge_segment> segments_near_certain_ones(const std::vector<Ridge_se
   for (Ridge_end first = 0; first < next.size(); ++first) {
     if (!is_certain[first / 2]) continue;
     Ridge_end e = next[first];
-    for (std::size_t step = 0; step < steps && e != no_end; ++step, e = next[other_end(e)]) is_kept[e / 2] = true;
+    for (std::size_t step = 0; step < steps && e != no_end; ++step, e = next[other_end(e)]) {
+      if (is_certain[e / 2]) break; // has steps of its own
+      is_kept[e / 2] = true;
+    }
   }
   std::vector<Ridge_segment> kept;
   for (std::size_t i = 0; i < segments.size(); ++i)
