@@ -33,8 +33,9 @@ enum class Page
   box
 };
 
-// automatic() takes up to a millisecond a vertex: beyond so many the fixed choice is made, which takes microseconds.
-constexpr std::size_t most_vertices_for_automatic = 20000;
+// automatic() takes up to a tenth of a millisecond a vertex, and up to a millisecond a point: beyond so many the fixed
+// choice is made, which takes microseconds.
+constexpr std::size_t most_vertices_for_automatic = 100000, most_points_for_automatic = 20000;
 
 // What the user wants. Unset numbers stand for a choice that depends on the others.
 struct Arguments

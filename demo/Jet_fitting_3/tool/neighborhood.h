@@ -74,9 +74,8 @@ inline std::string why_not_automatic(const Arguments& a, std::size_t size)
   if (a.options.loss != Loss::least_squares) return "--robust is set";
   if (a.options.weights_by_distance()) return "--weights is set";
   if (a.options.standard_errors) return "--errors is set";
-  if (size > most_vertices_for_automatic)
-    return "there are more than " + std::to_string(most_vertices_for_automatic) + " of them";
-  return "";
+  const std::size_t most = a.of_points ? most_points_for_automatic : most_vertices_for_automatic;
+  return size > most ? "there are more than " + std::to_string(most) + " of them" : "";
 }
 
 // From which points the fits are made.
