@@ -148,6 +148,32 @@ void what_was_chosen()
   }
 }
 
+// Points on a line determine no surface. On a plane, with noise and without, directions mean little.
+void degenerate_sets()
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::normal_distribution<double> normal;
+  std::vector<Kernel::Point_3> line, plane, noisy_plane;
+  for (int k = 0; k < 500; ++k) {
+    const double x = uniform(random), y = uniform(random);
+    line.emplace_back(x, 2 * x, -x);
+    plane.emplace_back(x, y, 0);
+    noisy_plane.emplace_back(x, y, 0.001 * normal(random));
+  }
+  std::vector<Form> forms;
+  const auto of_line = CGAL::estimate_point_monge_forms(line, jets::automatic(), std::back_inserter(forms));
+  check_equal(of_line.estimated, std::size_t(0), "forms of points on a line");
+  check_true(of_line.status(7).has(jets::Status_flag::rank_deficient), "they say why");
+  for (const auto* points : {&plane, &noisy_plane}) {
+    const auto summary = CGAL::estimate_point_monge_forms(*points, jets::automatic(), std::back_inserter(forms));
+    check_equal(summary.estimated, points->size(), "points of a plane are estimated");
+    std::size_t flat = 0;
+    for (std::size_t i = 0; i < points->size(); ++i) flat += summary.status(i).has(jets::Status_flag::near_umbilic);
+    check_ge(double(flat), 0.9 * double(points->size()), "places known as flat");
+  }
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -167,6 +193,7 @@ int main()
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
   order_of_points();
   what_was_chosen();
+  degenerate_sets();
   misuse();
   return result();
 }

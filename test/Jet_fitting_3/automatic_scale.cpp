@@ -167,7 +167,7 @@ void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double
   for (std::size_t i = 0; i < size; i += every) {
     const scale::Point_scale choice = automatic(i, near);
     test::check_true(choice.is_chosen, name + ": there is a choice");
-    squares.add(scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(), solver), choice.frame, noisy.truth[i]);
+    squares.add(*scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(), solver), choice.frame, noisy.truth[i]);
   }
   const Squares best = best_fixed(cloud, noisy, within, automatic, every);
   const char* quantities[] = {"H", "k1", "k2", "normal"};
@@ -251,7 +251,7 @@ void digits_of_the_choice()
   Indices near;
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
-    const jets::Jet<double> jet = scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(), solver);
+    const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(), solver);
     const auto fitted = [&](const scale::Choice& c) {
       return scale::fit_of_choice(cloud, near, choice.frame, c, automatic.ladder(), solver).fit.jet;
     };

@@ -34,6 +34,7 @@ struct Estimate_at_scale
   Basis_3<double> monge_axes;              ///< d1, d2, n, in world axes; n to the side of the normals if there are any
   Monge_coefficients<double> coefficients; ///< in the unit of the points
   std::array<double, 2> curvature_errors;  ///< standard errors of k1, k2, bias included
+  bool is_determined = true;               ///< by the samples; else there is no form
 };
 
 /// \ingroup PkgJetFitting3Choice
@@ -65,7 +66,10 @@ public:
     Estimate_at_scale e;
     e.choice = m_automatic(i, near);
     const Local_frame& frame = e.choice.frame;
-    const Jet<double> jet = jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(), solver);
+    const std::optional<Jet<double>> found = jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(), solver);
+    e.is_determined = found.has_value();
+    if (!found) return e;
+    const Jet<double>& jet = *found;
     const Monge_basis<double> monge = monge_basis(jet, frame.axes);
     e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};

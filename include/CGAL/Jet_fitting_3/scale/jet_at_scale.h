@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -83,15 +84,19 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 /// radius of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the digits,
 /// else fits are made anew, by orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
+/// \return nothing where samples do not determine it: where they lie on a line
 template <class Solver>
-Jet<double> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale, std::size_t order,
-                         const Ladder& ladder, Solver& solver)
+std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale,
+                                        std::size_t order, const Ladder& ladder, Solver& solver)
 {
   std::vector<std::pair<Choice, Jet<double>>> fits;
+  bool is_determined = true;
   const auto fitted = [&](const Choice& c) -> const Jet<double>& {
     for (const auto& known : fits)
       if (known.first.rung == c.rung && known.first.degree == c.degree) return known.second;
-    fits.emplace_back(c, fit_of_choice(cloud, near, scale.frame, c, ladder, solver).fit.jet);
+    const Jet_fit<double> fit = fit_of_choice(cloud, near, scale.frame, c, ladder, solver).fit;
+    is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree);
+    fits.emplace_back(c, fit.jet);
     return fits.back().second;
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
@@ -103,12 +108,12 @@ Jet<double> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_sc
   }
   if (scale.is_chosen && noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius)) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
-    return jet;
+  } else {
+    const Jet<double> of_normal = fitted(scale.normal);
+    for (std::size_t k = 0; k < 2; ++k) std::copy_n(of_normal.part(k), k + 1, jet.part(k));
+    for (std::size_t i = 0; i < 3; ++i) jet.part(2)[i] = fitted(scale.curvatures[i]).part(2)[i];
   }
-  const Jet<double> of_normal = fitted(scale.normal);
-  for (std::size_t k = 0; k < 2; ++k) std::copy_n(of_normal.part(k), k + 1, jet.part(k));
-  for (std::size_t i = 0; i < 3; ++i) jet.part(2)[i] = fitted(scale.curvatures[i]).part(2)[i];
-  return jet;
+  return is_determined ? std::optional(jet) : std::nullopt;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -141,6 +141,10 @@ private:
   {
     const std::size_t order = (std::max)(dprime, std::size_t(2));
     const scale::Estimate_at_scale chosen = m_learned->scale().estimate(i, order, m_solver, m_near);
+    if (!chosen.is_determined) {
+      result = {{}, Status_flag::rank_deficient, {}};
+      return;
+    }
     Local_estimate<double> e{};
     e.origin = chosen.origin;
     e.monge_axes = chosen.monge_axes;

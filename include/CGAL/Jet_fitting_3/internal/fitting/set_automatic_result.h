@@ -21,6 +21,8 @@
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -29,17 +31,28 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Whether the directions of k1 >= k2 mean little, where these have such an error: flat and round places.
+inline bool is_near_umbilic(double k1, double k2, double error)
+{
+  const double larger = (std::max)(std::abs(k1), std::abs(k2)), difference = k1 - k2;
+  return larger <= 2 * error || (difference <= 3 * error && 10 * difference <= larger);
+}
+
 /// The result at point i of what automatic() has found there: the form of the estimate, and the scale that was chosen.
 /// \param e, scale in units, of which `per_length` make one length
 template <class Kernel>
 void set_automatic_result(Estimated_form<Kernel>& result, const Point_table<Kernel>& points, Index i,
                           Local_estimate<double>& e, const Chosen_scale& scale, double per_length)
 {
+  const bool is_umbilic =
+      e.coefficients.size() >= 2 &&
+      is_near_umbilic(e.coefficients[0], e.coefficients[1], std::hypot(scale.bias, scale.standard_deviation));
   const double unit = 1 / per_length;
   measure_in_smaller_unit(e, unit);
   result = {};
   result.status = has_finite_form(e) ? Status_flag::estimated : Status_flag::not_finite;
   if (!result.status.is_estimated()) return;
+  if (is_umbilic) result.status |= Status_flag::near_umbilic;
   assign(result.form, e, points[i], Exact_first_converter<double, typename Kernel::FT>());
   Fit_quality quality;
   quality.scale = {unit * scale.radius,
