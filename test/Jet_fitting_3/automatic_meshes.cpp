@@ -165,6 +165,17 @@ void degrees()
   check_true(quadratic.principal_curvatures(0) != any.principal_curvatures(0), "degree 2 alone is something else");
 }
 
+// Where there are too few vertices to choose for the higher orders, one fit gives them.
+void coarse_mesh()
+{
+  Noisy_mesh coarse(torus(1, 0.4, 40, 20), 0.003);
+  for (const std::size_t order : {3, 4, 5}) {
+    const auto summary = CGAL::estimate_vertex_monge_forms(coarse.mesh, jets::automatic(), coarse.forms,
+                                                           parameters::degree_monge(order));
+    check_equal(summary.estimated, coarse.mesh.number_of_vertices(), "estimated to order " + text(order));
+  }
+}
+
 // By one thread and by all.
 void same_bits()
 {
@@ -247,6 +258,7 @@ int main()
   check_le(std::cbrt(product), 0.6, "geometric mean");
   orders_3_and_4();
   degrees();
+  coarse_mesh();
   same_bits();
   bad_vertices();
   far_vertex_and_debris();

@@ -20,29 +20,33 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Orders 5 and higher, for which no choice is made: one fit, of the degree of the jet, to at most four times as
-/// many vertices around vertex i as the jet has coefficients, within the radius.
+/// Orders for which there is no choice: one fit, of the degree of the jet, to at most four times as many vertices around
+/// vertex i as the jet has coefficients, within the radius.
 /// \param radius length
+/// \param first the lowest of these orders
 /// \param jet in the axes of the frame; its lower orders stay
-/// \return false if there are fewer than twice as many vertices as coefficients
+/// \return false if there are fewer vertices than four thirds of the coefficients, or they do not determine the jet
 template <class Neighbors, class Solver>
 bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
-                       const Local_frame& frame, double radius, Solver& solver, Jet<double>& jet)
+                       const Local_frame& frame, double radius, std::size_t first, Solver& solver, Jet<double>& jet)
 {
-  const std::size_t degree = jet.degree(), unknowns = number_of_jet_coefficients(degree);
+  const std::size_t degree = jet.degree(), unknowns = number_of_jet_coefficients(degree),
+                    least = unknowns + unknowns / 3;
   std::vector<double> radii; // in so many steps
   for (int k = 1; k <= 48; ++k) radii.push_back(double(k) / 48);
   typename Walker<Neighbors>::Disk disk;
-  walker.disk(i, frame, radii, radii.size(), {radius, 1, least_cosine_of_heights, 0, 4 * unknowns}, disk);
-  if (disk.vertices.size() < 2 * unknowns) return false;
+  walker.disk(i, frame, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns}, disk);
+  if (disk.vertices.size() < least) return false;
   const double unit = numeric::power_of_two_above(radius * radii[disk.ends.size() - 1]);
   Samples<double> samples;
   samples.resize(disk.vertices.size());
   for (std::size_t k = 0; k < disk.vertices.size(); ++k)
     samples.set(k, 1 / unit * (surface.points[disk.vertices[k]] - frame.origin));
-  Jet<double> fitted = fit_jet(samples, frame.axes, degree, solver).jet;
+  Jet_fit<double> fit = fit_jet(samples, frame.axes, degree, solver);
+  if (fit.solution.rank < unknowns) return false;
+  Jet<double>& fitted = fit.jet;
   measure_in_smaller_unit(fitted, unit);
-  for (std::size_t k = 5; k <= degree; ++k) std::copy_n(fitted.part(k), k + 1, jet.part(k));
+  for (std::size_t k = first; k <= degree; ++k) std::copy_n(fitted.part(k), k + 1, jet.part(k));
   return true;
 }
 

@@ -113,17 +113,19 @@ public:
     result.jet(2, 0) = second.xx;
     result.jet(1, 1) = second.xy;
     result.jet(0, 2) = second.yy;
+    std::size_t known = 2;
     for (std::size_t k = 0; k < m_higher.size() && k + 3 <= order; ++k) {
       const averaging::Order_estimate higher = m_higher[k].estimate(walker, i, second.frame);
-      if (!higher.exists()) return result;
+      if (!higher.exists()) break;
+      known = k + 3;
       std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
       if (k == 0) {
         result.third_order_errors = {higher.error(0), higher.error(3)};
         if (second.xx < second.yy) std::swap(result.third_order_errors[0], result.third_order_errors[1]);
       }
     }
-    result.exists = order <= 4 || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
-                                                               largest_radius(), solver, result.jet);
+    result.exists = known >= order || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
+                                                                   largest_radius(), known + 1, solver, result.jet);
     return result;
   }
 
