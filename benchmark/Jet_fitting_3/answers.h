@@ -14,8 +14,8 @@
 #include <vector>
 
 // What a program has computed, in a file, for compare_answers: a record for each form, which is the line of its job
-// ("fit <d> <d'> <points>" or "mesh <name> <d> <rings>"), the number of doubles that follow, and these: d1, d2, n and the
-// coefficients; none for a form that is empty.
+// ("fit <d> <d'> <points>" or "mesh <name> <d> <rings>"), the number of doubles that follow, and these: d1, d2, n and
+// the coefficients; none for a form that is empty.
 class Answers_writer
 {
 public:

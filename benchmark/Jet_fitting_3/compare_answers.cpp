@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Compares two files of answers (answers.h), ours and CGAL's, form by form. For each job and each order, principal
-// curvatures k, third order b, fourth order c: the largest differences relative to the largest coefficient of that order
-// (or to the power of the curvatures with the same dimension, where all of the order are smaller, as on a line of
-// symmetry), after turning both frames alike (the sign of d1 is free), and how many forms differ by more than 1e-9. For up
-// to 200 of these the samples are fitted again in 50 digits: the last columns are the largest errors of both sides there,
-// and how often ours is the larger one by more than 1e-9.
+// curvatures k, third order b, fourth order c: the largest differences relative to the largest coefficient of that
+// order (or to the power of the curvatures with the same dimension, where all of the order are smaller, as on a line of
+// symmetry), after turning both frames alike (the sign of d1 is free), and how many forms differ by more than 1e-9. For
+// up to 200 of these the samples are fitted again in 50 digits: the last columns are the largest errors of both sides
+// there, and how often ours is the larger one by more than 1e-9.
 // usage: compare_answers <ours> <CGAL's> [folder of CGAL's data]
 
 #include "fit_samples.h"

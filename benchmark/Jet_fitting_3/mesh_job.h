@@ -29,8 +29,8 @@
 #include <utility>
 #include <vector>
 
-// What the programs mesh_throughput (ours) and mesh_throughput_cgal have in common: the meshes, and how a job of fitting
-// a Monge form to every vertex is timed.
+// What the programs mesh_throughput (ours) and mesh_throughput_cgal have in common: the meshes, and how a job of
+// fitting a Monge form to every vertex is timed.
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -189,7 +189,8 @@ void write_mesh_answers(const std::string& path, Meshes& meshes, const std::vect
     }
 }
 
-// The part that all programs for meshes have in common: the folder of CGAL's data is the last argument, if there is one.
+// The part that all programs for meshes have in common: the folder of CGAL's data is the last argument, if there is
+// one.
 inline std::string data_folder(int argc, char** argv)
 {
   const std::string last = argc > 1 ? argv[argc - 1] : "-";

@@ -6,10 +6,10 @@
 
 // How many times faster two threads of estimate_vertex_monge_forms() are than one.
 //
-// A machine may give a program more or less of its processors from one second to the next, a virtual machine's host most
-// of all, and more of one than of the other. So each run of two threads stands between two of one thread, one on each
-// processor, and so do, in turn with them, jobs that share nothing and are as much work. What those gain is what there is
-// to gain: where it is not two, the machine is measured, not the program.
+// A machine may give a program more or less of its processors from one second to the next, a virtual machine's host
+// most of all, and more of one than of the other. So each run of two threads stands between two of one thread, one on
+// each processor, and so do, in turn with them, jobs that share nothing and are as much work. What those gain is what
+// there is to gain: where it is not two, the machine is measured, not the program.
 // usage: mesh_throughput_two_threads [options of Google Benchmark]
 
 #include "mesh_job.h"
@@ -91,8 +91,8 @@ struct Times
   double gain() const { return 2 / (1 / first + 1 / second) / two; }
 };
 
-// Jobs as large as a mesh of that many vertices, half of it each, that share nothing: meshes that stay in the cache of a
-// processor, over and over again.
+// Jobs as large as a mesh of that many vertices, half of it each, that share nothing: meshes that stay in the cache of
+// a processor, over and over again.
 class Jobs_apart
 {
 public:

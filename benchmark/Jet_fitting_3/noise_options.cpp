@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What weights, robust losses and standard errors cost: a noisy torus, every vertex fitted by itself, and all of them by
-// the mesh door. `checksum` is the mean of |k1| + |k2|, about the same for all, for all estimate the same thing.
+// What weights, robust losses and standard errors cost: a noisy torus, every vertex fitted by itself, and all of them
+// by the mesh door. `checksum` is the mean of |k1| + |k2|, about the same for all, for all estimate the same thing.
 
 #include "../../test/Jet_fitting_3/analytic_meshes.h"
 

@@ -6,8 +6,8 @@
 
 // Normals of the points of a set from 19 nearest neighbors and jets of degree 2, one thread. With CGAL's header the
 // benchmark `points` is CGAL's jet_estimate_normals(), with ours it is estimate_point_monge_forms(), which finds the
-// curvatures too; `jet_estimate_normals` is that function in both builds, on our class in ours. `checksum` is the sum of
-// |x| of the normals: equal for all.
+// curvatures too; `jet_estimate_normals` is that function in both builds, on our class in ours. `checksum` is the sum
+// of |x| of the normals: equal for all.
 // usage: point_normals [options of Google Benchmark] [folder of CGAL's data]
 
 #include "mesh_job.h"

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Monge form at every point of a torus by estimate_point_monge_forms() with one thread: points in random order, of even
-// density and of one that varies by 100:1.
+// A Monge form at every point of a torus by estimate_point_monge_forms() with one thread: points in random order, of
+// even density and of one that varies by 100:1.
 // usage: point_throughput [--normals-of-cgal] [options of Google Benchmark]
 // --normals-of-cgal   CGAL's jet_estimate_normals() on the same points instead, under the same names
 

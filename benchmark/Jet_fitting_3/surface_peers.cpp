@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curvatures and principal directions at every vertex: CGAL 6's interpolated corrected curvatures, without ball and with
-// one of two mean edge lengths, beside a form of degree 2 over two rings. They are different estimates of the same
+// Curvatures and principal directions at every vertex: CGAL 6's interpolated corrected curvatures, without ball and
+// with one of two mean edge lengths, beside a form of degree 2 over two rings. They are different estimates of the same
 // quantities: `checksum` is the mean of |H|.
 // usage: surface_peers [options of Google Benchmark] [folder of CGAL's data]
 

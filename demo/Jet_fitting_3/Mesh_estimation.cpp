@@ -64,8 +64,8 @@ struct Results
   std::vector<std::uint16_t> statuses;
 };
 
-// Estimates across sharp edges and at borders are not to set the range of the colors: those of one thin part would bleach
-// all the rest. If there are no others, they do.
+// Estimates across sharp edges and at borders are not to set the range of the colors: those of one thin part would
+// bleach all the rest. If there are no others, they do.
 std::vector<double> values_for_range(const std::vector<double>& values, const Estimates& estimates)
 {
   using Flag = CGAL::Jet_fitting::Status_flag;

@@ -6,8 +6,8 @@
 
 // How large should the neighborhoods be, and what degree should the jets have? A table for a sample of the vertices of
 // a mesh, medians. Errors fall where there are more points to average. But where `noise` grows from one neighborhood to
-// the next at the same degree, or `k_change` is well above the k_error of the next even degree, the surface is no jet of
-// that degree any more, and the errors that are printed are not the whole error.
+// the next at the same degree, or `k_change` is well above the k_error of the next even degree, the surface is no jet
+// of that degree any more, and the errors that are printed are not the whole error.
 
 #include <CGAL/Jet_fitting_3/neighborhoods/compare_neighborhoods.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/k_rings.h>

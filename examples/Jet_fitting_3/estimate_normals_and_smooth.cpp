@@ -28,8 +28,8 @@ using Point_map = CGAL::First_of_pair_property_map<Point_with_normal>;
 using Normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>;
 using Monge_form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
 
-// Every point moves to the origin of its form and gets the normal there; one that could not be estimated stays as it is,
-// and so do all that were not reached when the callback cancelled. Normals that are there orient the new ones.
+// Every point moves to the origin of its form and gets the normal there; one that could not be estimated stays as it
+// is, and so do all that were not reached when the callback cancelled. Normals that are there orient the new ones.
 std::size_t smooth(std::vector<Point_with_normal>& points, std::ptrdiff_t k, bool has_normals,
                    const std::function<bool(double)>& callback)
 {

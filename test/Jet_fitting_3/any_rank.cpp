@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Least squares for any rank: rank, shortest solution and residual of matrices with prescribed singular values, and what
-// a deficient rank costs, in operations.
+// Least squares for any rank: rank, shortest solution and residual of matrices with prescribed singular values, and
+// what a deficient rank costs, in operations.
 
 #include "check.h"
 #include "reference_fit.h"
@@ -49,8 +49,8 @@ std::vector<Column> orthonormal_columns(std::size_t rows, std::size_t count, std
   return columns;
 }
 
-// M = U S V^T and Z = U a + what is orthogonal to U; the shortest solution is V S^-1 a over the singular values that are
-// not zero.
+// M = U S V^T and Z = U a + what is orthogonal to U; the shortest solution is V S^-1 a over the singular values that
+// are not zero.
 struct Problem
 {
   std::vector<Column> m; // columns

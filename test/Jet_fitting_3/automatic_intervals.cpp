@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The errors of curvatures that automatic() tells for point sets contain the bias: intervals hold the truth. None of these
-// surfaces but the cylinder and the torus is among those for which constants were chosen.
+// The errors of curvatures that automatic() tells for point sets contain the bias: intervals hold the truth. None of
+// these surfaces but the cylinder and the torus is among those for which constants were chosen.
 #include "check.h"
 
 #include <CGAL/Simple_cartesian.h>

@@ -85,7 +85,8 @@ jets::Options with_normals()
   return options;
 }
 
-// Nothing chosen by hand is as good as half of what the best of these fixed choices is wrong by; automatic() is near it.
+// Nothing chosen by hand is as good as half of what the best of these fixed choices is wrong by; automatic() is near
+// it.
 void beside_fixed_choices(double noise)
 {
   const Cloud cloud = noisy_torus(4000, noise);

@@ -4,11 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random well-posed fits by whichever Monge_via_jet_fitting.h is in the include path, each against a fit in 50 digits to
-// the same points. differential.sh builds it with both headers and compares them case by case.
+// Random well-posed fits by whichever Monge_via_jet_fitting.h is in the include path, each against a fit in 50 digits
+// to the same points. differential.sh builds it with both headers and compares them case by case.
 // usage: differential <number of fits>
 // A line for each fit: case, d, N, error of the normal, relative errors of orders 2, 3, 4 (0 where there is none), and
-// the errors of the same kind that rounding alone makes: those of one more fit, to points that differ in the last digit.
+// the errors of the same kind that rounding alone makes: those of one more fit, to points that differ in the last
+// digit.
 
 #include "reference_fit.h"
 #include "samplings.h"

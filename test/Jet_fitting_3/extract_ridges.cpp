@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Ridges and umbilics as values: on surfaces where they are known, against CGAL's own extraction, with bad vertices, and
-// with noise.
+// Ridges and umbilics as values: on surfaces where they are known, against CGAL's own extraction, with bad vertices,
+// and with noise.
 
 #include "check.h"
 #include "noisy_ridges.h"
@@ -207,8 +207,8 @@ void types_of_umbilics()
   check_type(0, 1, 0, 1.5, .5, Umbilic_type::monstar);
 }
 
-// Where two ridges of the Bezier surface cross, or nearly so: b0 has a saddle there, close to zero, and which of the four
-// branches are joined depends on the grid.
+// Where two ridges of the Bezier surface cross, or nearly so: b0 has a saddle there, close to zero, and which of the
+// four branches are joined depends on the grid.
 const Point_3 bezier_crossing(.145, .105, .065);
 
 bool ends_at_crossing(const Ridge_line<Kernel>& line)
@@ -615,8 +615,8 @@ Analytic_mesh irregular_ellipsoid(double y, double z, int n, double jitter)
   return mesh;
 }
 
-// The same where all lines of curvature are circles or straight, on meshes of all kinds: spheres, cylinders, cones, tori
-// and their inversions, regular and not, as long as neighborhoods do not reach around them.
+// The same where all lines of curvature are circles or straight, on meshes of all kinds: spheres, cylinders, cones,
+// tori and their inversions, regular and not, as long as neighborhoods do not reach around them.
 void vanishing_family()
 {
   for (double jitter : {0., .2}) {

@@ -198,7 +198,8 @@ void hubs()
   });
 }
 
-// Neighborhoods of all vertices: how many are gathered before the first forms are written. Each holds four bytes a vertex.
+// Neighborhoods of all vertices: how many are gathered before the first forms are written. Each holds four bytes a
+// vertex.
 void large_neighborhoods()
 {
   const Mesh mesh = mesh_of(ellipsoid(1, 1.25, 1.5, 100));

@@ -141,8 +141,8 @@ void two_sided_sheet(int copies)
   }
 }
 
-// Points far away change no bit of a form where they are in no neighborhood, whatever is estimated beside it: balls have
-// rows of all lengths.
+// Points far away change no bit of a form where they are in no neighborhood, whatever is estimated beside it: balls
+// have rows of all lengths.
 template <class Neighborhood>
 void far_points(const Neighborhood& neighborhood, const Options& options, const std::string& name)
 {

@@ -331,8 +331,8 @@ Vertex add_fan(Mesh& mesh, int triangles)
   return apex;
 }
 
-// A large mesh whose vertices come in a random order is renumbered inside; nobody notices, in whatever order its faces are,
-// with a point that is not finite, with a vertex of very many edges.
+// A large mesh whose vertices come in a random order is renumbered inside; nobody notices, in whatever order its faces
+// are, with a point that is not finite, with a vertex of very many edges.
 void scattered_vertices(bool faces_too)
 {
   const std::string where = faces_too ? "scattered vertices and faces" : "scattered vertices";
@@ -466,8 +466,8 @@ void bad_arguments()
               "an empty mesh");
 }
 
-// Far from the origin, where doubles would lose everything, and with coordinates that no double can hold. Rings, because
-// on this symmetric mesh the nearest are not unique.
+// Far from the origin, where doubles would lose everything, and with coordinates that no double can hold. Rings,
+// because on this symmetric mesh the nearest are not unique.
 void exact_mesh()
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The mesh door on the models of FaceGraph that CGAL brings, with and without vertex ids: what it gives at each vertex is
-// what the class gives for the same points.
+// The mesh door on the models of FaceGraph that CGAL brings, with and without vertex ids: what it gives at each vertex
+// is what the class gives for the same points.
 
 #include "mesh_models.h"
 

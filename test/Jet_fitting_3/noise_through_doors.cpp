@@ -183,7 +183,8 @@ void doors_equal_the_class()
       const auto points = point_door([k](std::size_t i, Indices& out) { out = around(i, k); }, d, options);
       for (std::size_t i = 0; i < noisy_torus().number_of_vertices(); i += 3) {
         const std::string what = name + ", d = " + text(d) + ", vertex " + text(i);
-        // where two principal curvatures are close, directions and all that is told in them turn with the rounding errors
+        // where two principal curvatures are close, directions and all that is told in them turn with the rounding
+        // errors
         if (mesh.statuses[i].has(Status_flag::near_umbilic)) continue;
         const auto expected = alone(around(i, k), d, options, options.point_weights);
         check_same(mesh.forms[i], mesh.qualities[i], expected, "mesh, " + what);

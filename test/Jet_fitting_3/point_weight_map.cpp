@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The weights of a property map are those of a vector, bit by bit: on meshes, also on one whose vertices are numbered in
-// another order, on point sets, and where neighborhoods are compared.
+// The weights of a property map are those of a vector, bit by bit: on meshes, also on one whose vertices are numbered
+// in another order, on point sets, and where neighborhoods are compared.
 
 #include "check.h"
 #include "double_mesh.h"

@@ -38,8 +38,8 @@ void solvers_agree(const std::string& names)
         const auto form = known_form<double>(b.monge_form(), dprime);
         const Errors e = errors(known_form<double>(a.monge_form(), dprime), form);
         const std::string what = names + ", " + surface.name + ", d = " + text(d) + ", N = " + text(n);
-        // Rounding is amplified by the condition number at most, and by the h^(2-k), 4^(k-2) here, that the coefficients
-        // of order k are divided by.
+        // Rounding is amplified by the condition number at most, and by the h^(2-k), 4^(k-2) here, that the
+        // coefficients of order k are divided by.
         const double tolerance = 1e-15 * b.condition_number() + 1e-12;
         check_le(e.normal, tolerance, what + " normal");
         for (int k = 2; k <= dprime; ++k)

@@ -30,6 +30,8 @@ tab=$(printf '\t')
 # shellcheck disable=SC2086
 grep -nI "[^ -~$tab]" $texts | findings "only ASCII"
 # shellcheck disable=SC2086
+grep -nE '^.{121}' $code $(find doc -name '*.h') | findings "no line over 120 columns"
+# shellcheck disable=SC2086
 grep -n "$tab" $texts | findings "no tabs"
 # shellcheck disable=SC2086
 grep -n ' $' $texts | findings "no trailing blanks"

@@ -81,8 +81,8 @@ std::string name_of(std::size_t i)
 }
 
 // A quantity is a function of the N heights, whose errors are independent and have the variance s^2 / w_i, where
-// s^2 = sum of w r^2 / (N - N_d). So its variance is the sum of its squared derivatives times those: here by differences,
-// in 60 digits, through the independent fit of reference_fit.h.
+// s^2 = sum of w r^2 / (N - N_d). So its variance is the sum of its squared derivatives times those: here by
+// differences, in 60 digits, through the independent fit of reference_fit.h.
 void definition()
 {
   std::mt19937 random(11);

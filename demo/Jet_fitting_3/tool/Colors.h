@@ -37,9 +37,9 @@ inline Color diverging_color(double t)
   return mix(colors[below], colors[below + 1], position - static_cast<double>(below));
 }
 
-// From values to colors. White is 0, and the range is symmetric, or ends at 0 if it holds values of one sign; it is that
-// of some of the values, and leaves out a percentage of these at either end, so that a few wild ones do not bleach the
-// rest: they have the color of the end.
+// From values to colors. White is 0, and the range is symmetric, or ends at 0 if it holds values of one sign; it is
+// that of some of the values, and leaves out a percentage of these at either end, so that a few wild ones do not bleach
+// the rest: they have the color of the end.
 class Color_scale
 {
 public:

@@ -149,8 +149,8 @@ inline int guess_up(const Shape& shape)
   return y + 0.05 >= z ? 1 : 2; // most models that stand badly are of animals, with y upwards
 }
 
-// Whether the shape is long along this axis beside the other two: aslant it would take the picture's width for its length
-// and nothing would be seen of it.
+// Whether the shape is long along this axis beside the other two: aslant it would take the picture's width for its
+// length and nothing would be seen of it.
 inline bool is_bar(const Shape& shape, int axis)
 {
   return shape.extent(axis) > 3 * (std::max)(shape.extent((axis + 1) % 3), shape.extent((axis + 2) % 3));

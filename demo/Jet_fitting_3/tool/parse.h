@@ -140,10 +140,10 @@ public:
       ("manual-page", "the same for man: Mesh_estimation.1 is made by it")
       ("input-file,f", file(), "mesh (off, obj, ply, stl, vtp) or points (xyz, pwn, off, ply, las)")
       ("context", files(),
-       "the points are a tile of a larger set, and these are the others: xyz, pwn, ply, las, or lists made by --box. They "
-       "are neighbors but not estimated, so that tiles have the same results as the whole. It needs -p or -r")
-      ("box", "print the box of the points as a line of a list for --context (*.boxes), which spares reading files that are "
-              "far away: xmin ymin zmin xmax ymax zmax name; and end")
+       "the points are a tile of a larger set, and these are the others: xyz, pwn, ply, las, or lists made by --box. "
+       "They are neighbors but not estimated, so that tiles have the same results as the whole. It needs -p or -r")
+      ("box", "print the box of the points as a line of a list for --context (*.boxes), which spares reading files "
+              "that are far away: xmin ymin zmin xmax ymax zmax name; and end")
       ("threads,t", integer(0), "0: all there are")
       ("quiet,q", "no progress, no summary");
     fit.add_options()
@@ -176,7 +176,8 @@ public:
       ("directions", files(), "principal directions as line segments: ply, obj, vtp")
       ("direction", word("max|min", "max"), "which, in files and pictures")
       ("color,c", po::value<std::string>()->value_name("quantity"),
-       "color by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, radius, condition_number, ...; or none. H, but none where "
+       "color by k1, k2, H, K, shape_index, curvedness, b0, ..., c4, radius, condition_number, ...; or none. H, but "
+       "none where "
        "ridges are drawn")
       ("percentile", number(2, "2"), "the range of colors leaves out this percentage of the vertices at either end");
     ridges.add_options()

@@ -19,8 +19,8 @@
 
 namespace tool {
 
-// A PLY file as CGAL's readers need it: they take every machine for one that has the low byte first. Where it is not so,
-// the names of the two byte orders are exchanged.
+// A PLY file as CGAL's readers need it: they take every machine for one that has the low byte first. Where it is not
+// so, the names of the two byte orders are exchanged.
 inline std::unique_ptr<std::istream> ply_stream(const std::string& file)
 {
   auto in = std::make_unique<std::ifstream>(file, std::ios::binary);

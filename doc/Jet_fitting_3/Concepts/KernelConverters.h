@@ -23,8 +23,8 @@ public:
   /// @{
 
   /// A default constructible function object whose `operator()` maps a `DataKernel::FT` to something convertible to
-  /// `LocalKernel::FT`. For numbers whose exact value is computed only on demand it should ask for it: the approximate one
-  /// of a lazy number of \cgal is right to five digits only.
+  /// `LocalKernel::FT`. For numbers whose exact value is computed only on demand it should ask for it: the approximate
+  /// one of a lazy number of \cgal is right to five digits only.
   typedef unspecified_type D2L_converter;
 
   /// The same the other way: a `LocalKernel::FT` to something convertible to `DataKernel::FT`.

@@ -20,10 +20,10 @@ public:
   /// @{
 
   /// A floating point number type: `float`, `double`, `long double`, or a class with `+ - * /` and unary `-`,
-  /// conversions from `int` and `double`, an explicit one to `double`, a default constructor, `<`, `>` and `==`, `sqrt()`,
-  /// `abs()` and `exp()` that argument-dependent look-up finds, and a specialization of `std::numeric_limits`. All is
-  /// computed in this type, nothing in `double` on the side; but what a user's function of the distance gives is a
-  /// `double`. It is the same as `SvdTraits::FT` (section 4.3.5 of the paper).
+  /// conversions from `int` and `double`, an explicit one to `double`, a default constructor, `<`, `>` and `==`,
+  /// `sqrt()`, `abs()` and `exp()` that argument-dependent look-up finds, and a specialization of
+  /// `std::numeric_limits`. All is computed in this type, nothing in `double` on the side; but what a user's function
+  /// of the distance gives is a `double`. It is the same as `SvdTraits::FT` (section 4.3.5 of the paper).
   typedef unspecified_type FT;
 
   /// A point; only its name is used.

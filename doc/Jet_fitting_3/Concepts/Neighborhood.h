@@ -18,13 +18,13 @@ a function object of yours need not.
 class Neighborhood
 {
 public:
-  /// Appends the neighborhood of `item` to `items`, which is empty, in any order. Whether `item` itself is among them makes
-  /// no difference: it is always taken, as the point of evaluation, and once. Other items that are there twice count
-  /// twice. Items with a coordinate that is not finite are left out afterwards.
+  /// Appends the neighborhood of `item` to `items`, which is empty, in any order. Whether `item` itself is among them
+  /// makes no difference: it is always taken, as the point of evaluation, and once. Other items that are there twice
+  /// count twice. Items with a coordinate that is not finite are left out afterwards.
   ///
   /// Called once for each item. With `CGAL::Parallel_tag` every thread has a copy of the object, so that it may keep
-  /// storage between calls; what copies share must be safe to use at the same time. An exception ends the estimation and
-  /// reaches its caller. \throw CGAL::Jet_fitting::Invalid_input is what the estimation throws if an item does not belong
-  /// to the mesh or range
+  /// storage between calls; what copies share must be safe to use at the same time. An exception ends the estimation
+  /// and reaches its caller. \throw CGAL::Jet_fitting::Invalid_input is what the estimation throws if an item does not
+  /// belong to the mesh or range
   void operator()(const Item& item, std::vector<Item>& items);
 };

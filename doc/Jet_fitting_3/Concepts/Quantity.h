@@ -16,7 +16,7 @@ A number that follows from a Monge form, for `CGAL::Jet_fitting::write_quantity(
 class Quantity
 {
 public:
-  /// The quantity of a `CGAL::Jet_fitting::Monge_form` that is not empty, as anything convertible to the value type of the
-  /// map it is written to.
+  /// The quantity of a `CGAL::Jet_fitting::Monge_form` that is not empty, as anything convertible to the value type of
+  /// the map it is written to.
   unspecified_type operator()(const Monge_form& form) const;
 };

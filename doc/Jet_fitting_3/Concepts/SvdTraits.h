@@ -5,8 +5,8 @@
 Linear algebra for the least squares problem of step 2.
 
 A model that you write is always called, once for each fit. For the default models any method with the same answer to
-rounding may be used instead: see `CGAL::Monge_via_jet_fitting`. A class that misses a requirement is refused at compile time
-with a sentence that lists them.
+rounding may be used instead: see `CGAL::Monge_via_jet_fitting`. A class that misses a requirement is refused at compile
+time with a sentence that lists them.
 
 \cgalHasModelsBegin
 \cgalHasModelsBare{`CGAL::Eigen_svd` of the package `Solver_interface`\, the default for `double`}
@@ -27,9 +27,9 @@ public:
   /// counted from 0. (\cgal asks for `size()` and `vector()` as well; they are not used here.)
   typedef unspecified_type Vector;
 
-  /// A matrix: constructible from its numbers of rows and columns; `set(i, j, x)` writes the entry in row `i` and column
-  /// `j`, counted from 0. (\cgal asks for `number_of_rows()`, `number_of_columns()` and `operator()(i, j)` as well; they
-  /// are not used here.)
+  /// A matrix: constructible from its numbers of rows and columns; `set(i, j, x)` writes the entry in row `i` and
+  /// column `j`, counted from 0. (\cgal asks for `number_of_rows()`, `number_of_columns()` and `operator()(i, j)` as
+  /// well; they are not used here.)
   typedef unspecified_type Matrix;
 
   /// @}
@@ -37,8 +37,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// Solves M X = B in the least squares sense, where M has at least as many rows as columns, and writes X into the first
-  /// entries of B. If M is rank deficient, X should be the solution with the smallest norm.
+  /// Solves M X = B in the least squares sense, where M has at least as many rows as columns, and writes X into the
+  /// first entries of B. If M is rank deficient, X should be the solution with the smallest norm.
   /// \return the ratio of the largest to the smallest singular value of M, infinity if the latter is 0
   static FT solve(const Matrix& M, Vector& B);
 

@@ -27,8 +27,8 @@ namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Results
 /// What automatic() chose for the principal curvatures at a point; all zero with other neighborhoods. Of the two
-/// curvatures, which choose for themselves, the larger degree, and roots of mean squares. On meshes a curvature is a mean
-/// of fits: of their radii by weight the root of the mean square, and the degree that has most of the weight.
+/// curvatures, which choose for themselves, the larger degree, and roots of mean squares. On meshes a curvature is a
+/// mean of fits: of their radii by weight the root of the mean square, and the degree that has most of the weight.
 struct Chosen_scale
 {
   double radius = 0;             ///< length; on meshes of disks, or of disks of the area of ellipses
@@ -36,8 +36,8 @@ struct Chosen_scale
   double bias = 0;               ///< as estimated, 1/length
   double standard_deviation = 0; ///< by noise, as estimated, 1/length
 
-  /// Standard errors of k1 and of k2, 1/length, that contain noise and bias: k +- 1.96 error is meant to hold the truth in
-  /// 95 of 100 cases. Of point sets; 0 on meshes.
+  /// Standard errors of k1 and of k2, 1/length, that contain noise and bias: k +- 1.96 error is meant to hold the truth
+  /// in 95 of 100 cases. Of point sets; 0 on meshes.
   std::array<double, 2> curvature_errors{};
 
   /// Standard errors of b0 and of b3, 1/length^2, that contain noise and bias; 0 if they were not chosen for: below

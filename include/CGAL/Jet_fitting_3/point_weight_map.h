@@ -26,8 +26,8 @@ namespace parameters {
 
 /// \ingroup PkgJetFitting3Options
 /// The named parameter `point_weight_map`: the weights of Jet_fitting::Fit_options::point_weights as a property map. It
-/// begins a chain, as in `point_weight_map(weights).degree_fitting(4)`; it does not continue one, because \cgal's list of
-/// the parameters that do is closed.
+/// begins a chain, as in `point_weight_map(weights).degree_fitting(4)`; it does not continue one, because \cgal's list
+/// of the parameters that do is closed.
 /// \param map readable, from vertex or item of a point range to a number, finite and not negative
 template <class PointWeightMap>
 Named_function_parameters<PointWeightMap, internal_np::point_weight_map_t> point_weight_map(const PointWeightMap& map)

@@ -11,9 +11,9 @@
 //
 // numbers     relative to the largest number of the line; lines that tell a time or memory are compared as text only
 // normals     lines "x y z nx ny nz", n up to its sign
-// directions  lines of Mesh_estimation: point, origin, d1, d2 (both scaled), k1, k2; the mesh fixes the sign of the normal
-// form        the output of Single_estimation: a Monge form, the condition number (not compared: its scaling is ours,
-//             and of a singular matrix ours is infinite, CGAL's 1e17), PCA
+// directions  lines of Mesh_estimation: point, origin, d1, d2 (both scaled), k1, k2; the mesh fixes the sign of the
+// normal form        the output of Single_estimation: a Monge form, the condition number (not compared: its scaling is
+//             ours, and of a singular matrix ours is infinite, CGAL's 1e17), PCA
 #include <algorithm>
 #include <array>
 #include <cctype>

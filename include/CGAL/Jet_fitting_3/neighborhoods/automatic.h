@@ -16,8 +16,8 @@ namespace Jet_fitting {
 /// Radius and degree chosen from the data, for each point or vertex: nothing is to be guessed.
 ///
 /// For a point set the noise of the
-/// whole set is estimated (or given, by Options::position_noise and normal_noise); for a subsample, jets of degrees 2 and
-/// 4 in balls of many radii are compared, which tells their bias; each point takes those with the least bias and
+/// whole set is estimated (or given, by Options::position_noise and normal_noise); for a subsample, jets of degrees 2
+/// and 4 in balls of many radii are compared, which tells their bias; each point takes those with the least bias and
 /// variance, the normal and each second derivative in principal axes for itself. With Options::use_normals the jets are
 /// fitted to positions and normals.
 ///

@@ -40,9 +40,9 @@ FT square_norm(const FT* a, std::size_t rows)
 }
 
 /// From the products[c + 1] of q with `count` columns their components[c] = inverse * product along q, which are
-/// subtracted from them; products[c] becomes that of what is left of column c with the next q. All in one pass, in which
-/// each column is read once and the sums do not wait for each other. Products are read one by one, as they have been
-/// written: a vector of them would wait until they have left the store buffer.
+/// subtracted from them; products[c] becomes that of what is left of column c with the next q. All in one pass, in
+/// which each column is read once and the sums do not wait for each other. Products are read one by one, as they have
+/// been written: a vector of them would wait until they have left the store buffer.
 /// \tparam begins_with_next whether the next q is what is left of the first column; otherwise it is `next`
 template <std::size_t count, bool begins_with_next, class FT>
 void orthogonalize_to(const FT* q, const FT* next, std::size_t rows, const FT& inverse, FT* columns, FT* products,

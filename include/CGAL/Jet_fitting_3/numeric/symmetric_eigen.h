@@ -112,8 +112,8 @@ Directions_3<FT> directions_around(const Vector_3<FT>& w, const Mask_of<FT>& z_f
   return {u, cross(w, u), w};
 }
 
-/// Those around an approximate eigenvector of the smallest eigenvalue: all columns of the adjugate of a - eigenvalue point
-/// along it. Zero, or not finite, where that matrix has less than rank 2.
+/// Those around an approximate eigenvector of the smallest eigenvalue: all columns of the adjugate of a - eigenvalue
+/// point along it. Zero, or not finite, where that matrix has less than rank 2.
 template <class FT>
 Directions_3<FT> directions_around_least(const Symmetric_3<FT>& a)
 {
@@ -128,10 +128,10 @@ Directions_3<FT> directions_around_least(const Symmetric_3<FT>& a)
                                z_first);
 }
 
-/// One step of Rayleigh's iteration for w, and the rotation of u and v that diagonalizes what is left. Both at once, and
-/// of directions as they are, not of unit vectors: a fit waits for this, and divisions and roots take most of the time
-/// when each waits for the one before. \return where the result is exact to rounding: where the squares of the angles by
-/// which w turns are rounding errors
+/// One step of Rayleigh's iteration for w, and the rotation of u and v that diagonalizes what is left. Both at once,
+/// and of directions as they are, not of unit vectors: a fit waits for this, and divisions and roots take most of the
+/// time when each waits for the one before. \return where the result is exact to rounding: where the squares of the
+/// angles by which w turns are rounding errors
 template <class FT>
 Mask_of<FT> eigen_near(const Directions_3<FT>& d, const Symmetric_3<FT>& a, Eigen_3<FT>& eigen)
 {
@@ -179,8 +179,8 @@ public:
       m_no_gap(FT(epsilon<FT>()) * (a.xx + a.yy + a.zz))
   {}
 
-  /// Turns axes p < q in their plane so that their entry vanishes; in lanes where it is negligible, by the identity: what
-  /// becomes of a lane does not depend on the others. \return false if it was negligible in all lanes
+  /// Turns axes p < q in their plane so that their entry vanishes; in lanes where it is negligible, by the identity:
+  /// what becomes of a lane does not depend on the others. \return false if it was negligible in all lanes
   template <std::size_t p, std::size_t q>
   bool rotate()
   {

@@ -82,9 +82,9 @@ public:
 
   /// At the foot of a place near the points: the jet is fitted to those in the neighborhood of the place, on the side
   /// of the nearest one, and the result is its form at its point closest to the place. With nearest(k) these are the k
-  /// nearest; with automatic() the jet is that of the nearest point, with the radii and degrees chosen there, and of one
-  /// degree more than the form. The origin of the form lies on the jet. At a place that is one of the points it differs from the form of
-  /// the point by no more than the residual of the fit lets the feet differ.
+  /// nearest; with automatic() the jet is that of the nearest point, with the radii and degrees chosen there, and of
+  /// one degree more than the form. The origin of the form lies on the jet. At a place that is one of the points it
+  /// differs from the form of the point by no more than the residual of the fit lets the feet differ.
   ///
   /// The status is that of the fit, or Status_flag::beside_samples if no point of the jet over the samples is closest
   /// to the place; Status_flag::not_finite if a coordinate is not finite; Status_flag::too_few_points where a radius

@@ -150,9 +150,10 @@ std::vector<bool> exceed_errors(const Ridge_field& field, const Ridge_view& view
   return result;
 }
 
-/// Of the lines along which b exceeds half of the errors that contain bias, those that are certain somewhere (hysteresis,
-/// as for the edges of an image): because b exceeds what errors can make of zero, or these errors many times. With little
-/// noise these may be too small on spheres, so it has to exceed a part of the other, which noise enlarges, too.
+/// Of the lines along which b exceeds half of the errors that contain bias, those that are certain somewhere
+/// (hysteresis, as for the edges of an image): because b exceeds what errors can make of zero, or these errors many
+/// times. With little noise these may be too small on spheres, so it has to exceed a part of the other, which noise
+/// enlarges, too.
 inline std::vector<Ridge_segment> certain_lines(const Ridge_field& field, const Ridge_view& view,
                                                 const std::vector<Ridge_segment>& segments)
 {
@@ -178,8 +179,9 @@ inline std::vector<Ridge_segment> selected_segments(const Ridge_field& field, co
     segments.erase(std::remove_if(segments.begin(), segments.end(), [](const Ridge_segment& s) { return !s.is_crest; }),
                    segments.end());
   const auto noise = [&](Index v) { return options.significance * view[v].error.value_or(0); };
-  // A tolerance is twice a disagreement. Noise makes that up to about twice the noise of b at significance 2: the largest
-  // of six differences of two errors exceeds 3.7 standard errors once in twenty times. Then the other test decides.
+  // A tolerance is twice a disagreement. Noise makes that up to about twice the noise of b at significance 2: the
+  // largest of six differences of two errors exceeds 3.7 standard errors once in twenty times. Then the other test
+  // decides.
   const auto exceeds_tolerance = [&](Index v) {
     return std::abs(view.b(v)) > view.tolerance(v) || view.tolerance(v) <= 4 * noise(v);
   };

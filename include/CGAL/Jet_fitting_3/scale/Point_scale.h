@@ -33,8 +33,8 @@ struct Choice
   double excess = 1;                     ///< of the noise, see Nested_fit
 };
 
-/// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all there
-/// is they are as large as the noise: without evidence they count for little.
+/// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all
+/// there is they are as large as the noise: without evidence they count for little.
 inline double squared_error(const Choice& choice)
 {
   const double evidence = std::max(0., choice.evidence - 1);
@@ -104,8 +104,8 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   return scale;
 }
 
-/// The standard errors of the principal curvatures, bias included. Noise of normals has an effect of about its square on
-/// the size of gradients, beside which theirs by chance may be small.
+/// The standard errors of the principal curvatures, bias included. Noise of normals has an effect of about its square
+/// on the size of gradients, beside which theirs by chance may be small.
 inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Monge_basis<double>& monge,
                                               double normal_noise)
 {

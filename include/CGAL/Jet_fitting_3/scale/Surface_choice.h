@@ -98,8 +98,8 @@ public:
 
 private:
   // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than they
-  // claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which are larger
-  // than it without noise.
+  // claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which are
+  // larger than it without noise.
   static bool is_better(const Choice_of_height& first, const Choice_of_height& second, std::size_t places)
   {
     double gain = 0;

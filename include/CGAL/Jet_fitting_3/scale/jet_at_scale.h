@@ -80,9 +80,9 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 }
 
 /// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
-/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit with the
-/// radius of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the digits,
-/// else fits are made anew, by orthogonalization; equal choices share a fit.
+/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit with
+/// the radius of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the
+/// digits, else fits are made anew, by orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
 /// \return nothing where samples do not determine it: where they lie on a line
 template <class Solver>

@@ -20,8 +20,8 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Orders for which there is no choice: one fit, of the degree of the jet, to at most four times as many vertices around
-/// vertex i as the jet has coefficients, within the radius.
+/// Orders for which there is no choice: one fit, of the degree of the jet, to at most four times as many vertices
+/// around vertex i as the jet has coefficients, within the radius.
 /// \param radius length
 /// \param first the lowest of these orders
 /// \param jet in the axes of the frame; its lower orders stay

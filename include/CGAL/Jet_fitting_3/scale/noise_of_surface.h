@@ -183,8 +183,8 @@ void add_noise_of_normals(const Surface_points<Neighbors>& surface, double unit,
   scale::set_noise(own, scale::misfit(own, larger, 4. / 3), noise.normal, noise.normal_error);
 }
 
-/// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell where
-/// the surface turns: without noise not at all.
+/// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell
+/// where the surface turns: without noise not at all.
 inline int rounds_of_smoothing(double noise_in_edges) { return int(64 * std::min(0.5, noise_in_edges)); }
 
 CGAL_JET_FITTING_3_END_NATIVE

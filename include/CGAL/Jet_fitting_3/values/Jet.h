@@ -22,9 +22,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
 
 /// \ingroup PkgJetFitting3Steps
-/// The highest degree of a jet that is meant: 34! is the largest factorial that a float holds. Monomials of degree d lose
-/// about 4^d of the digits, so that beyond it those of a neighborhood cannot be told apart in any floating point type of
-/// the language (epsilon of an 80-bit long double is 2^-63).
+/// The highest degree of a jet that is meant: 34! is the largest factorial that a float holds. Monomials of degree d
+/// lose about 4^d of the digits, so that beyond it those of a neighborhood cannot be told apart in any floating point
+/// type of the language (epsilon of an 80-bit long double is 2^-63).
 constexpr std::size_t highest_degree = 34;
 
 /// \ingroup PkgJetFitting3Steps

@@ -28,7 +28,8 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// A degree that was given as a number of any type. \throw Invalid_input, with the name of the parameter, if it is below 1
+/// A degree that was given as a number of any type. \throw Invalid_input, with the name of the parameter, if it is
+/// below 1
 template <class Number>
 std::size_t degree_parameter(const char* name, const Number& n)
 {

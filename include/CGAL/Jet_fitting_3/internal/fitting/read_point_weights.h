@@ -25,8 +25,8 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The weights of the vertices or points, in the order of the items: of `point_weight_map`, or those of the options. None
-/// if there are none.
+/// The weights of the vertices or points, in the order of the items: of `point_weight_map`, or those of the options.
+/// None if there are none.
 /// \throw Invalid_input if there are both, or unless there is one for each item, finite and not negative
 template <class NamedParameters, class Items>
 std::vector<double> read_point_weights(const NamedParameters& np, const Items& items, std::size_t size,

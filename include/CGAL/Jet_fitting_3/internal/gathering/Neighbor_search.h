@@ -40,9 +40,9 @@ struct Accept_all
 
 /// Finds the neighbors of samples of a set, batch by batch: one traversal gathers all that may be near one of them.
 ///
-/// A row is the seed and its neighbors, in the order of their coordinates; accepts(seed)(sample) tells which may be one.
-/// The seed is no_index for a place that is no sample, whose rows have no seed. So rows depend neither on the batches
-/// nor on points that are not in them. Each thread has its own search.
+/// A row is the seed and its neighbors, in the order of their coordinates; accepts(seed)(sample) tells which may be
+/// one. The seed is no_index for a place that is no sample, whose rows have no seed. So rows depend neither on the
+/// batches nor on points that are not in them. Each thread has its own search.
 template <class Number>
 class Neighbor_search
 {
@@ -65,8 +65,8 @@ public:
   explicit Neighbor_search(const Tree& tree) : m_tree(tree), m_candidates(tree), m_selection(tree) {}
 
   /// Appends a row for each of the samples first, ..., up to `last` or the end of the batch, which is returned: the k
-  /// nearest of those that are accepted among the 8k nearest, of either side: it takes eight sheets on top of each other
-  /// to leave fewer than k.
+  /// nearest of those that are accepted among the 8k nearest, of either side: it takes eight sheets on top of each
+  /// other to leave fewer than k.
   template <class Accepts, class Rows>
   Index nearest(Index first, Index last, std::size_t k, const Accepts& accepts, Rows& rows)
   {

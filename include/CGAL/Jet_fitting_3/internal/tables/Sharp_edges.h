@@ -129,8 +129,8 @@ private:
     return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
   }
 
-  /// Finds the sides of a vertex. Its spokes are kept sorted by their neighbors, to be looked up: a vertex may have very
-  /// many.
+  /// Finds the sides of a vertex. Its spokes are kept sorted by their neighbors, to be looked up: a vertex may have
+  /// very many.
   void cut_at(Index i)
   {
     std::vector<Spoke> spokes;

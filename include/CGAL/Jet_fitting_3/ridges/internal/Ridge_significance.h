@@ -21,8 +21,8 @@ namespace internal {
 
 /// Tells which zero crossings of b are more than errors of b, given which vertices these do not explain. Along the line
 /// of curvature through a crossing, k rises or falls on both sides until b vanishes again; on each side there has to be
-/// such a vertex. Where b is all error there is none, however long the ridges are that errors draw; next to a ridge b is
-/// small on both sides, but not further off.
+/// such a vertex. Where b is all error there is none, however long the ridges are that errors draw; next to a ridge b
+/// is small on both sides, but not further off.
 template <class Exceeds_errors>
 class Ridge_significance
 {

@@ -87,8 +87,8 @@ inline double rounding_of_b(const Ridge_values& values, const Real_vector& point
   return 6 * condition_number * (rounding.relative * size + rounding.absolute) / (h * h * h);
 }
 
-/// The derivative by which the larger curvature would change by one and a half times as much as it is, over the reach of
-/// the neighborhood or over the way on which the normal turns by a radian, whichever is longer.
+/// The derivative by which the larger curvature would change by one and a half times as much as it is, over the reach
+/// of the neighborhood or over the way on which the normal turns by a radian, whichever is longer.
 inline double derivative_of_large_change(const Ridge_values& values, double h)
 {
   const double k = (std::max)(std::abs(values.max.k), std::abs(values.min.k));
@@ -163,10 +163,10 @@ inline std::vector<double> largest_disagreements(const Ridge_field& field)
   return own;
 }
 
-/// b0, ..., b3 are the derivatives of the second fundamental form, so along an edge the forms of its ends must differ by
-/// its length times the mean of their derivatives. By how much they do not is what rounding, noise and the terms that a
-/// jet leaves out have done to them, and needs no assumption on any of these. Since it is the mean of two derivatives
-/// that is compared, the error at one end may be twice as much: so much b has to exceed.
+/// b0, ..., b3 are the derivatives of the second fundamental form, so along an edge the forms of its ends must differ
+/// by its length times the mean of their derivatives. By how much they do not is what rounding, noise and the terms
+/// that a jet leaves out have done to them, and needs no assumption on any of these. Since it is the mean of two
+/// derivatives that is compared, the error at one end may be twice as much: so much b has to exceed.
 ///
 /// On scans, where neighborhoods reach as far as shapes do, they disagree by as much as b is. There b has to say that
 /// the curvature changes by more than it is, which errors do not as long as the neighborhood is small against 1 / k.
