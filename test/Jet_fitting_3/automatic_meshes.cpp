@@ -218,9 +218,9 @@ void far_vertex_and_debris()
   Noisy_mesh littered(torus(2, 1, 60, 24), 0.005);
   const std::size_t vertices = littered.mesh.number_of_vertices();
   for (int k = 0; k < 3000; ++k) {
-    const double x = 4 + 0.3 * k;
+    const double x = 4 + 0.3 * k, size = k % 2 == 0 ? 0.2 : 0.001;
     const auto corner = [&](double dx, double dy) { return littered.mesh.add_vertex(Kernel::Point_3(x + dx, dy, 0)); };
-    littered.mesh.add_face(corner(0, 0), corner(0.2, 0), corner(0, 0.2));
+    littered.mesh.add_face(corner(0, 0), corner(size, 0), corner(0, size));
   }
   const auto of_litter = littered.estimate(jets::automatic(), 6);
   check_equal(of_litter.estimated, vertices, "estimated beside loose triangles");

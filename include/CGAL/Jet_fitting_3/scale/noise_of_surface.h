@@ -25,13 +25,38 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The mean length of edges, without those that are ten times as long as the median: a vertex may be far away.
+/// For each vertex, the number of those that are connected with it.
+template <class Neighbors>
+std::vector<std::size_t> sizes_of_parts(const Surface_points<Neighbors>& surface)
+{
+  std::vector<std::size_t> sizes(surface.points.size(), 0), part;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (sizes[i] > 0) continue;
+    part.assign(1, i);
+    sizes[i] = 1;
+    for (std::size_t k = 0; k < part.size(); ++k)
+      for (const std::size_t v : surface.neighbors(part[k]))
+        if (sizes[v] == 0) {
+          sizes[v] = 1;
+          part.push_back(v);
+        }
+    for (const std::size_t v : part) sizes[v] = part.size();
+  }
+  return sizes;
+}
+
+/// The mean length of edges, without those that are ten times as long as the median: a vertex may be far away. Parts
+/// that are too small for any choice do not count, if there are others.
 template <class Neighbors>
 double mean_edge(const Surface_points<Neighbors>& surface)
 {
+  const std::vector<std::size_t> sizes = sizes_of_parts(surface);
+  if (sizes.empty()) return 0;
+  const std::size_t least = std::min(2 * number_of_jet_coefficients(4), *std::max_element(sizes.begin(), sizes.end()));
   std::vector<double> lengths;
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     for (const std::size_t v : surface.neighbors(i)) {
+      if (sizes[i] < least) continue;
       const Vector_3<double> d = surface.points[v] - surface.points[i];
       lengths.push_back(std::sqrt(dot(d, d)));
     }
