@@ -376,6 +376,19 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
   return choice;
 }
 
+/// Weights by what a patch says, and by comparisons of the candidates' own where noise cannot explain what they show.
+/// \param of_all the model for all components, of the bias of which one has a hundredth at least; or null
+inline Choice choose_with_own_say(const Candidates& candidates, const Comparisons& own, Bias_model model,
+                                  const Bias_model* of_all, const Ladder& ladder, const Target& target,
+                                  double square_of_noise)
+{
+  if (of_all)
+    for (std::size_t k = 0; k < model.terms.size(); ++k)
+      model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
+  for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, ladder, t, own[t], 12);
+  return choose(candidates, model, target, square_of_noise);
+}
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace averaging
 } // namespace Jet_fitting

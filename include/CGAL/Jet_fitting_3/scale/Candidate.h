@@ -67,6 +67,14 @@ struct Candidate
   explicit operator bool() const { return degree > 0; }
 };
 
+/// The sum of the squares of its estimates.
+inline double square_of_values(const Candidate& candidate)
+{
+  double sum = 0;
+  for (const double value : candidate.values) sum += value * value;
+  return sum;
+}
+
 /// Some of the rows: all, or one component.
 struct Target
 {

@@ -135,15 +135,8 @@ private:
       const Candidate& candidate = place.candidates[c];
       if (!candidate) continue;
       place.variances[c] = candidate.variance;
-      if (candidate.degree == m_ladder.degrees.front()) place.size = square_of_rows(candidate);
+      if (candidate.degree == m_ladder.degrees.front()) place.size = square_of_values(candidate);
     }
-  }
-
-  static double square_of_rows(const Candidate& candidate)
-  {
-    double sum = 0;
-    for (const double value : candidate.values) sum += value * value;
-    return sum;
   }
 
   // What the places around a vertex say of a target in principal axes of which this is the first.
@@ -161,20 +154,16 @@ private:
     return Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
   }
 
-  // By what the places around it say, and by its own candidates where noise cannot explain what they say. One component
-  // may have hardly any bias, but not none: a hundredth of the mean at least.
+  // By what the places around it say, and by its own candidates.
   Choices choose_at(std::size_t i, const Candidates& candidates, const Vector_3<double>& axis) const
   {
     const Near near = nearest_places(m_points, m_surface.points[i], patch + 1);
     const Bias_model of_all = model(near, all(), axis);
     Choices choices;
     for (std::size_t j = 0; j < all(); ++j) {
-      Bias_model of_one = model(near, j, axis);
-      for (std::size_t k = 0; k < of_one.terms.size(); ++k)
-        of_one.terms[k] = std::max(of_one.terms[k], 0.01 * of_all.terms[k]);
       const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_square_of_noise);
-      for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(of_one, m_ladder, t, own[t], 12);
-      choices.push_back(choose(candidates, of_one, m_targets[j], m_square_of_noise));
+      choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_ladder, m_targets[j],
+                                            m_square_of_noise));
     }
     return choices;
   }

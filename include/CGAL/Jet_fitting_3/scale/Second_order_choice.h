@@ -203,7 +203,7 @@ private:
     place.candidates[0] = fit(walker, place.vertex, place.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
     place.comparisons[0][all] = compare_all(place.candidates[0], m_ladder, targets[all], m_square_of_noise);
     for (const Candidate& candidate : place.candidates[0])
-      if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = size(candidate);
+      if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = square_of_values(candidate);
   }
 
   void choose_in_disks(Place& place) const
@@ -308,16 +308,10 @@ private:
     return choose_by(model, own, candidates, shape, target, of_all);
   }
 
-  // One component may have hardly any bias, but not none: a hundredth of the mean at least. The vertex has its own say
-  // where noise cannot explain what it sees.
-  Choice choose_by(Bias_model model, const Comparisons& own, const Candidates& candidates, std::size_t shape,
+  Choice choose_by(const Bias_model& model, const Comparisons& own, const Candidates& candidates, std::size_t shape,
                    std::size_t target, const Bias_model* of_all) const
   {
-    if (of_all)
-      for (std::size_t k = 0; k < model.terms.size(); ++k)
-        model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
-    for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, m_ladder, t, own[t], 12);
-    Choice choice = choose(candidates, model, targets[target], m_square_of_noise);
+    Choice choice = choose_with_own_say(candidates, own, model, of_all, m_ladder, targets[target], m_square_of_noise);
     choice.shape = shape;
     return choice;
   }
@@ -374,13 +368,6 @@ private:
   static Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
   {
     return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
-  }
-
-  static double size(const Candidate& c)
-  {
-    double sum = 0;
-    for (const double value : c.values) sum += value * value;
-    return sum;
   }
 
   static std::array<double, 3> mean(const Candidates& candidates, const Choice& choice, double& x, double& y)
