@@ -228,6 +228,13 @@ void check_ridges()
   test::check_equal(run("quads.off --ridges all").exit_code, 2, "ridges of a mesh of quads");
 }
 
+void check_says(const std::string& arguments, const std::string& words)
+{
+  const Run made = run(arguments + " -o choice.ply");
+  test::check_equal(made.exit_code, 0, arguments + ": " + made.err);
+  test::check_true(made.out.find(words) != std::string::npos, arguments + " says '" + words + "': " + made.out);
+}
+
 // Points without normals are oriented alike: the sign of k2, negative everywhere on the torus with normals outwards.
 void check_orientation_of_points()
 {
@@ -246,6 +253,7 @@ void check_points()
   std::string points, line;
   for (int i = 0; i < around * across && std::getline(in, line); ++i) points += line + '\n';
   write("points.xyz", points);
+  check_says("points.xyz -m 3", "not chosen from the data: the order of the Monge form is above 2");
   const Run made = run("points.xyz -p 20 -o points.ply points.vtp");
   test::check_equal(made.exit_code, 0, "a point set");
   test::check_true(made.out.find("points have no normals") != std::string::npos,
@@ -272,11 +280,6 @@ void check_points()
 // Nothing but the input: the data decide, wherever that is possible, and the summary says what was done and why.
 void check_choice()
 {
-  const auto check_says = [](const std::string& arguments, const std::string& words) {
-    const Run made = run(arguments + " -o choice.ply");
-    test::check_equal(made.exit_code, 0, arguments + ": " + made.err);
-    test::check_true(made.out.find(words) != std::string::npos, arguments + " says '" + words + "': " + made.out);
-  };
   check_says("torus.off", "jets of radius and degree chosen for each vertex, Monge forms of degree 2: 2400 estimated");
   check_says("torus.off", "noise of points, along the normal: ");
   check_says("torus.off", "chosen degrees: ");
@@ -300,8 +303,8 @@ void check_choice()
   for (Vertex v : mesh.vertices()) test::check_equal(colored[v], chosen[v], "colored by the chosen radius");
   test::check_true(contents("radius.pov").find("chosen radius") != std::string::npos, "its legend");
   check_says("torus.off -d 2", "jets of degree 2 from rings up to 12 points");
-  check_says("torus.off -m 3", "not chosen from the data: the order of the Monge form is above 2");
-  check_says("torus.off --ridges crest", "not chosen from the data: ridges need derivatives of curvatures");
+  check_says("torus.off -m 3", "chosen for each vertex, Monge forms of degree 3: 2400 estimated");
+  check_says("torus.off --ridges crest", "chosen for each vertex, Monge forms of degree 4: 2400 estimated");
   check_says("torus.off --errors", "not chosen from the data: --errors is set");
   check_says("quads.off --lower-degree", "not chosen from the data: too few of them");
 }

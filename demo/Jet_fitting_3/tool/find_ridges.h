@@ -56,6 +56,7 @@ inline CGAL::Jet_fitting::Estimation_summary<Vertex> summary_by_vertex(const Mes
   for (std::size_t v = 0; v < estimates.size(); ++v) qualities.push_back(estimates.summary.quality(v));
   CGAL::Jet_fitting::Estimation_summary<Vertex> summary;
   summary.set_reports(estimates.statuses, qualities, mesh.vertices(), [](Vertex v) { return std::size_t(v); });
+  summary.noise = estimates.summary.noise;
   return summary;
 }
 

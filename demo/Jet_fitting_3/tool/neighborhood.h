@@ -68,8 +68,7 @@ inline Point_neighborhood point_neighborhood(const Arguments& a)
 inline std::string why_not_automatic(const Arguments& a, std::size_t size)
 {
   using namespace CGAL::Jet_fitting;
-  if (a.finds_ridges) return "ridges need derivatives of curvatures";
-  if (a.degree_monge > 2) return "the order of the Monge form is above 2";
+  if (a.of_points && a.degree_monge > 2) return "the order of the Monge form is above 2";
   if (a.degree_monge < 2) return "no curvatures are estimated";
   if (a.options.loss != Loss::least_squares) return "--robust is set";
   if (a.options.weights_by_distance()) return "--weights is set";

@@ -129,9 +129,9 @@ public:
     po::options_description general, fit, output, ridges, picture;
     const std::string degree_text =
         "degree of the jet. Without -d, -a, -p and -r, degree and neighbors are chosen for each vertex from the data, "
-        "for forms of degree 2 and up to " +
+        "up to " +
         std::to_string(most_vertices_for_automatic) + " vertices or " + std::to_string(most_points_for_automatic) +
-        " points: that takes up to .1 ms a vertex, 1 ms a point. Otherwise the fixed choice is made, which takes "
+        " points with forms of degree 2: that takes up to .3 ms a vertex, 1 ms a point. Otherwise the fixed choice is made, which takes "
         "microseconds: "
         "degree 2, or m, or 4 for ridges. -d 2 asks for it";
     // clang-format off
