@@ -175,6 +175,86 @@ void degenerate_sets()
   }
 }
 
+// A cloud in parts of different size, each with as many points and noise of its own size: radii suit each part.
+void parts_of_several_sizes(double ratio, double noise)
+{
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  std::vector<Kernel::Point_3> points;
+  for (const double radius : {1., ratio})
+    for (int k = 0; k < 1000; ++k) {
+      Kernel::Vector_3 v(normal(random), normal(random), normal(random));
+      v = v * (1 / std::sqrt(v.squared_length()));
+      const Kernel::Vector_3 e(normal(random), normal(random), normal(random));
+      points.push_back(Kernel::Point_3(radius == 1 ? 0 : 20, 0, 0) + radius * (v + noise * e));
+    }
+  std::vector<Form> forms;
+  const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
+  check_equal(summary.estimated, points.size(), "all of two spheres");
+  std::vector<double> errors[2];
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    errors[i / 1000].push_back(std::abs(
+        std::abs(forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 * (i < 1000 ? 1 : ratio) - 1));
+  for (std::vector<double>& of_part : errors) {
+    std::sort(of_part.begin(), of_part.end());
+    check_le(of_part[950], noise > 0 ? 0.15 : 0.05,
+             "H of spheres of size 1 and " + text(ratio) + ", noise " + text(noise));
+  }
+}
+
+// Points that lie a hundred times as dense in the middle as at the rim.
+void uneven_density()
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<Kernel::Point_3> points;
+  for (int k = 0; k < 6000; ++k) {
+    const double r = std::pow(100., -uniform(random)), a = 2 * std::acos(-1.) * uniform(random);
+    const double x = r * std::cos(a), y = r * std::sin(a);
+    points.emplace_back(x, y, 0.3 * x * x - 0.1 * y * y);
+  }
+  std::vector<Form> forms;
+  const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
+  check_equal(summary.estimated, points.size(), "all of an uneven set");
+  double largest = 0;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const double p = 0.6 * points[i].x(), q = -0.2 * points[i].y(), w = std::sqrt(1 + p * p + q * q);
+    const double H = ((1 + q * q) * 0.6 + (1 + p * p) * -0.2) / (2 * w * w * w);
+    const double sign = forms[i].normal_direction().z() > 0 ? 1 : -1;
+    largest = (std::max)(
+        largest, std::abs(sign * (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 - H));
+  }
+  check_le(largest, 0.003, "H of an uneven set"); // nearest(20) has 0.014
+}
+
+// Points whose normal is unknown, which is zero, are none of the data; where there are no others around, no form is made.
+void unknown_normals()
+{
+  Cloud cloud = noisy_torus(3000, 0);
+  const jets::Options options = with_normals();
+  for (std::size_t i = 0; i < cloud.points.size(); i += 2) cloud.points[i].second = Kernel::Vector_3(0, 0, 0);
+  std::vector<Form> forms = forms_of(cloud.points, jets::automatic(), 4, options);
+  for (std::size_t i = 0; i < forms.size(); i += 2) // those have no side
+    if (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1) > 0)
+      forms[i].comply_wrt_given_normal(-forms[i].normal_direction());
+  check_le(rms_error(forms, cloud), 0.01, "every other normal unknown");
+
+  for (Oriented& p : cloud.points)
+    if (p.first.x() > -2) p.second = Kernel::Vector_3(0, 0, 0);
+  forms.clear();
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  const auto summary =
+      CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np, options);
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (cloud.points[i].first.x() > 0)
+      check_true(summary.status(i).has(jets::Status_flag::too_few_points), "no normal is known around");
+    if (!summary.status(i).is_estimated()) continue;
+    const double k1 = forms[i].principal_curvatures(0), k2 = forms[i].principal_curvatures(1);
+    check_true((std::max)(std::abs(k1), std::abs(k2)) < 3, "no wild form beside unknown normals: " + text(k1));
+  }
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -185,6 +265,9 @@ void misuse()
   options = {};
   options.standard_errors = true;
   check_throws<jets::Invalid_input>(call, {"automatic", "standard_errors"}, "standard errors");
+  options = with_normals();
+  options.position_noise = 0.005;
+  check_throws<jets::Invalid_input>(call, {"position_noise alone"}, "noise of positions without that of normals");
 }
 
 } // namespace
@@ -195,6 +278,10 @@ int main()
   order_of_points();
   what_was_chosen();
   degenerate_sets();
+  for (const double ratio : {0.3, 0.1, 10.})
+    for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);
+  uneven_density();
+  unknown_normals();
   misuse();
   return result();
 }

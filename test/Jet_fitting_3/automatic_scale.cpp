@@ -131,17 +131,18 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
                    const scale::Automatic_scale<Within>& automatic, std::size_t every)
 {
   jets::Orthogonal_solver<double> solver;
+  const scale::Ladder& ladder = automatic.ladder({});
   Squares best;
   std::fill(best.of, best.of + 4, 1e300);
   best.count = 1;
-  for (std::size_t j = automatic.ladder().first; j < automatic.ladder().radii.size(); ++j)
+  for (std::size_t j = ladder.first; j < ladder.radii.size(); ++j)
     for (const std::size_t degree : {2, 4}) {
       Squares squares;
-      const double radius = automatic.ladder().radii[j];
+      const double radius = ladder.radii[j];
       for (std::size_t i = 0; i < size; i += every) {
         Indices near;
-        within(i, scale::reach(cloud, automatic.ladder(), automatic.ladder().radii.size()), near);
-        const scale::Local_frame frame = scale::local_frame(cloud, near, i, automatic.ladder());
+        within(i, scale::reach(cloud, ladder, ladder.radii.size()), near);
+        const scale::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
         squares.add(scale::fit_at_scale(cloud, near, frame, radius, degree, automatic.noise(), solver).fit.jet, frame,
                     noisy.truth[i]);
       }
@@ -167,7 +168,8 @@ void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double
   for (std::size_t i = 0; i < size; i += every) {
     const scale::Point_scale choice = automatic(i, near);
     test::check_true(choice.is_chosen, name + ": there is a choice");
-    squares.add(*scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(), solver), choice.frame, noisy.truth[i]);
+    squares.add(*scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(choice), solver), choice.frame,
+                noisy.truth[i]);
   }
   const Squares best = best_fixed(cloud, noisy, within, automatic, every);
   const char* quantities[] = {"H", "k1", "k2", "normal"};
@@ -251,9 +253,9 @@ void digits_of_the_choice()
   Indices near;
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
-    const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(), solver);
+    const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(choice), solver);
     const auto fitted = [&](const scale::Choice& c) {
-      return scale::fit_of_choice(cloud, near, choice.frame, c, automatic.ladder(), solver).fit.jet;
+      return scale::fit_of_choice(cloud, near, choice.frame, c, automatic.ladder(choice), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),
                             of_xy = fitted(choice.curvatures[1]);

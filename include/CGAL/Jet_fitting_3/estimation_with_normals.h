@@ -24,21 +24,35 @@ namespace Jet_fitting {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
-/// \throw Invalid_input unless the options make sense for points with normals
-inline void check_options_for_normals(const Fit_options& options)
+/// \throw Invalid_input unless noise that is given is finite and not negative
+inline void check_noise(const Fit_options& options)
 {
-  if (options.loss != Loss::least_squares)
-    throw Invalid_input(
-        "a robust loss is for points without normals: with normals as data, loss must be least_squares");
-  if (options.position_noise.has_value() != options.normal_noise.has_value())
-    throw Invalid_input("position_noise and normal_noise are given together or not at all: here is " +
-                        std::string(options.position_noise ? "position_noise" : "normal_noise") + " alone");
   const auto check = [](const std::optional<double>& noise, const char* name) {
     if (noise && (!(*noise >= 0) || std::isinf(*noise)))
       throw Invalid_input(std::string(name) + " must be finite and not negative: got " + std::to_string(*noise));
   };
   check(options.position_noise, "position_noise");
   check(options.normal_noise, "normal_noise");
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// \throw Invalid_input unless the noise of positions and normals is given, or neither
+inline void check_noise_with_normals(const Fit_options& options)
+{
+  if (options.position_noise.has_value() != options.normal_noise.has_value())
+    throw Invalid_input("position_noise and normal_noise are given together or not at all: here is " +
+                        std::string(options.position_noise ? "position_noise" : "normal_noise") + " alone");
+  check_noise(options);
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// \throw Invalid_input unless the options make sense for points with normals
+inline void check_options_for_normals(const Fit_options& options)
+{
+  if (options.loss != Loss::least_squares)
+    throw Invalid_input(
+        "a robust loss is for points without normals: with normals as data, loss must be least_squares");
+  check_noise_with_normals(options);
 }
 
 /// \ingroup PkgJetFitting3Steps

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -58,90 +59,192 @@ public:
     : m_cloud(cloud), m_within(within)
   {
     const Indices some = places_for_noise(cloud);
-    const double radius = radius_of_least_neighbors(cloud, within, some);
-    m_ladder =
-        ladder_of_cloud(radius, noise ? *noise : estimate_noise(cloud, within, some, radius), cloud.has_normals());
-    learn_bias(for_each);
+    const Density of_some = density(cloud, within, some);
+    m_noise = noise ? *noise : estimate_noise(cloud, within, some, of_some);
+    learn_bias(of_some.radius, noise.has_value(), for_each);
   }
 
   /// The noise of the cloud.
-  const Noise& noise() const { return m_ladder.noise; }
+  const Noise& noise() const { return m_noise; }
 
-  /// The radii among which is chosen.
-  const Ladder& ladder() const { return m_ladder; }
+  /// The radii among which was chosen.
+  const Ladder& ladder(const Point_scale& scale) const { return m_ladders[scale.level]; }
 
   /// The choice at point i. May be called by several threads, with lists of indices of their own, which hold the
   /// neighbors within at least the largest chosen radius afterwards, and some farther ones.
   Point_scale operator()(std::size_t i, Indices& near) const
   {
-    const std::size_t fewest = std::min(m_ladder.axes + 1, m_ladder.radii.size());
-    std::uint32_t learned = none;
-    for (const std::size_t few : {std::size_t(1), fewest}) { // mostly the smallest ball has one
-      if (learned != none) break;
-      gather(i, few, near);
-      learned = nearest_learned(i, near);
-    }
-    const std::size_t rungs = learned == none ? fewest : std::max(fewest, m_rungs[learned]);
-    gather(i, rungs, near);
-    const Local_ladder local = local_ladder(m_cloud, near, local_frame(m_cloud, near, i, m_ladder), m_ladder, rungs);
-    if (learned != none) return choose(local, m_tables[learned], m_ladder);
-    Point_scale scale;
-    scale.frame = local.frame;
-    scale.is_chosen = false;
-    for (Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]})
-      *c = {m_ladder.radii[rungs - 1], rungs - 1, 2, unknown, unknown, unknown, 0};
-    return scale;
+    const std::uint32_t learned = nearest_learned(i, near);
+    if (learned == none) return without_bias(i, near);
+    const std::size_t level = m_levels[learned];
+    const Ladder& ladder = m_ladders[level];
+    const Local_ladder local = local_ladder_at(i, ladder, std::max(fewest_rungs(ladder), m_rungs[learned]), near);
+    Point_scale scale = choose(local, m_tables[learned], ladder);
+    scale.level = level;
+    return scale.is_chosen && has_neighbors(local, ladder) ? scale : without_bias(i, near);
   }
 
 private:
-  void gather(std::size_t i, std::size_t rungs, Indices& near) const
+  // Those that the frame and the principal directions need.
+  static std::size_t fewest_rungs(const Ladder& ladder) { return std::min(ladder.axes + 1, ladder.radii.size()); }
+
+  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, std::size_t rungs, Indices& near) const
   {
-    m_within(i, reach(m_cloud, m_ladder, rungs), near);
+    m_within(i, reach(m_cloud, ladder, rungs), near);
+    return local_ladder(m_cloud, near, local_frame(m_cloud, near, i, ladder), ladder, rungs);
+  }
+
+  // Twice the unknowns of degree 2 around the point, and not only beside it, where the samples are those whose normals
+  // are known.
+  bool has_neighbors(const Local_ladder& local, const Ladder& ladder) const
+  {
+    const std::size_t rung = m_cloud.has_normals() ? ladder.first + 1 : ladder.axes;
+    return local.candidates[std::min(rung, local.candidates.size() - 1)].size(2) >= least_neighbors_of(2);
+  }
+
+  // Where nothing is known of the bias: degree 2 in the ball in which principal directions are taken, of the least level
+  // that has the neighbors.
+  Point_scale without_bias(std::size_t i, Indices& near) const
+  {
+    Point_scale scale;
+    scale.is_chosen = scale.has_neighbors = false;
+    for (std::size_t level = 0; level < m_ladders.size() && !scale.has_neighbors; ++level) {
+      const std::size_t rungs = fewest_rungs(m_ladders[level]);
+      m_within(i, reach(m_cloud, m_ladders[level], rungs), near);
+      if (double(near.size()) < least_neighbors_of(2)) continue;
+      const Local_ladder local = local_ladder_at(i, m_ladders[level], rungs, near);
+      scale.has_neighbors = has_neighbors(local, m_ladders[level]);
+      scale.level = level;
+      scale.frame = local.frame;
+      for (Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]})
+        *c = {m_ladders[level].radii[rungs - 1], rungs - 1, 2, unknown, unknown, unknown, 0};
+    }
+    return scale;
   }
 
   template <class For_each>
-  void learn_bias(const For_each& for_each)
+  void learn_bias(double radius, bool knows_noise, const For_each& for_each)
   {
     const Indices sample =
         spread_indices(m_cloud.size, std::max<std::size_t>(1, std::min(stride, m_cloud.size / places)));
     m_learned.assign(m_cloud.size, none);
     for (std::size_t k = 0; k < sample.size(); ++k) m_learned[sample[k]] = std::uint32_t(k);
+    const std::vector<int> levels = levels_of(sample, radius, for_each);
+    const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
+    for (int level = *least; level <= *most; ++level)
+      m_ladders.push_back(ladder_of_cloud(radius * scale_of_level(level),
+                                          knows_noise || *least == *most ? m_noise
+                                                                         : noise_of_level(sample, levels, level, radius),
+                                          m_cloud.has_normals()));
+    for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
 
     std::vector<Local_ladder> ladders(sample.size());
     std::vector<std::vector<std::uint32_t>> patches(sample.size());
-    const std::size_t rungs = m_ladder.radii.size();
     for_each(sample.size(), [&](std::size_t k) {
+      const Ladder& ladder = m_ladders[m_levels[k]];
       Indices near;
-      gather(sample[k], rungs, near);
-      ladders[k] = local_ladder(m_cloud, near, local_frame(m_cloud, near, sample[k], m_ladder), m_ladder, rungs);
-      const double radius = m_ladder.patch();
-      for (const std::size_t i : near) {
-        const Vector_3<double> d = m_cloud.points[i] - m_cloud.points[sample[k]];
-        if (m_learned[i] != none && dot(d, d) <= radius * radius) patches[k].push_back(m_learned[i]);
-      }
+      ladders[k] = local_ladder_at(sample[k], ladder, ladder.radii.size(), near);
+      for (const std::uint32_t member : learned_within(sample[k], ladder.patch(), near))
+        if (m_levels[member] == m_levels[k]) patches[k].push_back(member);
     });
     m_tables.resize(sample.size());
     m_rungs.resize(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
+      const Ladder& ladder = m_ladders[m_levels[k]];
       Patch_statistics::Patch patch;
       for (const std::uint32_t member : patches[k]) patch.push_back(&ladders[member]);
-      m_tables[k] = bias_table(patch, m_ladder);
-      m_rungs[k] = std::min(rungs, largest_rung(choose(ladders[k], m_tables[k], m_ladder)) + 2);
+      m_tables[k] = bias_table(patch, ladder);
+      m_rungs[k] = std::min(ladder.radii.size(), largest_rung(choose(ladders[k], m_tables[k], ladder)) + 2);
     });
   }
 
-  // The point of the subsample that is nearest to point i, among its neighbors.
-  std::uint32_t nearest_learned(std::size_t i, const Indices& near) const
+  // Of the subsample.
+  template <class For_each>
+  std::vector<int> levels_of(const Indices& sample, double radius, const For_each& for_each) const
+  {
+    std::vector<int> own, levels(sample.size());
+    for (const double r : radii_of_least_neighbors(m_cloud, m_within, sample))
+      own.push_back(r > 0 ? level_of(r, radius) : 0);
+    if (std::equal(own.begin() + 1, own.end(), own.begin())) return own;
+    for_each(sample.size(), [&](std::size_t k) {
+      Indices near;
+      const double patch = radius * scale_of_level(own[k] + 2);
+      m_within(sample[k], patch, near);
+      levels[k] = level_of_patch(own, k, learned_within(sample[k], patch, near));
+    });
+    return levels;
+  }
+
+  // Parts of a cloud may come from several scans, and without noise it is what the smallest balls leave of the shape,
+  // which is more where they are larger. That of the cloud if there are too few places.
+  Noise noise_of_level(const Indices& sample, const std::vector<int>& levels, int level, double radius) const
+  {
+    Indices of_level, places;
+    for (std::size_t k = 0; k < sample.size(); ++k)
+      if (levels[k] == level) of_level.push_back(sample[k]);
+    if (of_level.size() < 10) return m_noise;
+    for (const std::size_t k : spread_indices(of_level.size(), (of_level.size() - 1) / places_of_noise + 1))
+      places.push_back(of_level[k]);
+    const Density of_places{radius * scale_of_level(level), std::vector<int>(places.size(), 0)};
+    return estimate_noise(m_cloud, m_within, places, of_places);
+  }
+
+  // The middle one by area, of which a place has more where points are less dense. The place itself has no say: it may
+  // be a corner, or no point of the surface.
+  static int level_of_patch(const std::vector<int>& levels, std::size_t own, const std::vector<std::uint32_t>& patch)
+  {
+    std::map<int, double> areas;
+    double half = 0;
+    for (const std::uint32_t k : patch) {
+      if (k == own) continue;
+      const double radius = scale_of_level(levels[k]);
+      areas[levels[k]] += radius * radius;
+      half += radius * radius / 2;
+    }
+    for (const auto& [level, area] : areas)
+      if ((half -= area) <= 0) return level;
+    return levels[own];
+  }
+
+  // Those of the subsample that are within a radius of point i. \param near holds its neighbors, and perhaps others
+  std::vector<std::uint32_t> learned_within(std::size_t i, double radius, const Indices& near) const
+  {
+    std::vector<std::uint32_t> result;
+    for (const std::size_t k : near) {
+      const Vector_3<double> d = m_cloud.points[k] - m_cloud.points[i];
+      if (m_learned[k] != none && dot(d, d) <= radius * radius) result.push_back(m_learned[k]);
+    }
+    return result;
+  }
+
+  // The point of the subsample that is nearest to point i, mostly in the smallest ball; where points are less dense than
+  // on a level, of a higher one.
+  std::uint32_t nearest_learned(std::size_t i, Indices& near) const
+  {
+    constexpr std::size_t fewest = least_neighbors / 5; // a corner has a quarter of the least
+    std::uint32_t learned = none;
+    for (std::size_t level = 0; level < m_ladders.size() && learned == none; ++level) {
+      m_within(i, reach(m_cloud, m_ladders[level], 1), near);
+      if (near.size() >= fewest) learned = nearest_among(i, level, near);
+    }
+    if (learned != none) return learned;
+    m_within(i, reach(m_cloud, m_ladders.back(), fewest_rungs(m_ladders.back())), near);
+    return nearest_among(i, 0, near);
+  }
+
+  // Of the level or a higher one.
+  std::uint32_t nearest_among(std::size_t i, std::size_t level, const Indices& near) const
   {
     std::uint32_t nearest = none;
     double least = unknown;
     for (const std::size_t k : near) {
-      if (m_learned[k] == none) continue;
+      const std::uint32_t learned = m_learned[k];
+      if (learned == none || m_levels[learned] < level) continue;
       const Vector_3<double> d = m_cloud.points[k] - m_cloud.points[i];
       const double square = dot(d, d);
-      if (square < least || (square == least && m_learned[k] < nearest)) {
+      if (square < least || (square == least && learned < nearest)) {
         least = square;
-        nearest = m_learned[k];
+        nearest = learned;
       }
     }
     return nearest;
@@ -149,8 +252,10 @@ private:
 
   Cloud m_cloud;
   Within m_within;
-  Ladder m_ladder;
+  Noise m_noise;
+  std::vector<Ladder> m_ladders;        // of all levels
   std::vector<std::uint32_t> m_learned; // for each point its place in the subsample
+  std::vector<std::size_t> m_levels;    // of the subsample
   std::vector<Bias_table> m_tables;
   std::vector<std::size_t> m_rungs; // how many are worth a look nearby
 };

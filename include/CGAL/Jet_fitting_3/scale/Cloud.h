@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -27,9 +28,12 @@ struct Cloud
   std::size_t size;
 
   bool has_normals() const { return normals != nullptr; }
+  /// Not where normals are data and that of the point is unknown, which is zero.
+  bool is_sample(std::size_t i) const { return !has_normals() || dot(normals[i], normals[i]) > 0; }
 };
 
-/// Radii that grow by steps of 25 %, and where on that ladder things begin; all that is the same for the whole cloud.
+/// Radii that grow by steps of 25 %, and where on that ladder things begin; all that is the same where points are about
+/// as dense.
 struct Ladder
 {
   std::vector<double> radii;
@@ -49,6 +53,19 @@ constexpr double ladder_step = 1.25;
 
 /// How many neighbors the smallest ball has in the median: three times the unknowns of degree 4.
 constexpr std::size_t least_neighbors = 45;
+
+/// Points of one level are about as dense: a level is so many steps of the radius, 2.4 times, above the one before. Half
+/// of one more than what a straight border of the surface makes of the radius that holds so many neighbors.
+constexpr int steps_of_level = 4;
+
+/// The level at which a radius is, above that of a reference.
+inline int level_of(double radius, double reference)
+{
+  return int(std::lround(std::log(radius / reference) / (steps_of_level * std::log(ladder_step))));
+}
+
+/// By what the radii of a level exceed those of level 0.
+inline double scale_of_level(int level) { return std::pow(ladder_step, steps_of_level * level); }
 
 /// Rungs for clouds without noise: the largest ball has about 2,500 neighbors.
 constexpr std::size_t least_rungs = 10;

@@ -46,13 +46,13 @@ inline Basis_3<double> axes_around(const Vector_3<double>& z)
   return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
-/// The neighbors in a ball around the origin of a frame.
+/// The samples in a ball around the origin of a frame.
 inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
 {
   Indices result;
   for (const std::size_t i : near) {
     const Vector_3<double> d = cloud.points[i] - frame.origin;
-    if (dot(d, d) <= radius * radius) result.push_back(i);
+    if (dot(d, d) <= radius * radius && cloud.is_sample(i)) result.push_back(i);
   }
   return result;
 }
@@ -74,7 +74,7 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   Local_sample s{r.x, r.y, r.z, 0, 0, 0, dot(d, d), true};
   if (!cloud.has_normals()) return s;
   const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
-  s.is_there = n.z >= -0.2 && dot(n, n) > 0;
+  s.is_there = n.z >= -0.2 && cloud.is_sample(i);
   s.lever = 0.25 * r.z * r.z * (n.x * n.x + n.y * n.y);
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;

@@ -50,7 +50,9 @@ struct Point_scale
   Choice normal;                    ///< for the slopes of the surface in the frame
   std::array<Choice, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
   Jet<double> jet{2};               ///< of the surface in the frame, with the digits of normal equations
+  std::size_t level = 0;            ///< of the density of points, which has a ladder of its own
   bool is_chosen = true;            ///< false where no bias is known: no point of the subsample nearby, too few points
+  bool has_neighbors = true;        ///< enough for any fit
 };
 
 /// The least neighbors of a candidate: twice its unknowns.

@@ -64,8 +64,8 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   return result;
 }
 
-/// What fits in balls of one radius leave.
-struct Variances_at_radius
+/// What fits in balls leave.
+struct Residuals_of_balls
 {
   Estimated_variance heights, slopes;
 };
@@ -78,16 +78,23 @@ inline Indices places_for_noise(const Cloud& cloud)
   return spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / places_of_noise));
 }
 
+/// A ball around a point with noise cuts the noise off at its rim, 2 s^2 / r^2 of the variance s^2 for large r.
+inline double with_rim(double variance, double radius)
+{
+  return variance / (1 - std::min(0.5, 2 * variance / (radius * radius)));
+}
+
 /// At each place m of all n points are in the ball: two balls share a part m / n of theirs in the mean.
 template <class Within>
-Variances_at_radius variances_at_radius(const Cloud& cloud, const Within& within, const Indices& places, double radius)
+Residuals_of_balls residuals_of_balls(const Cloud& cloud, const Within& within, const Indices& places,
+                                      const std::vector<double>& radii)
 {
   std::vector<double> heights, slopes;
   double neighbors = 0;
   Indices near;
-  for (const std::size_t i : places) {
-    const Residual_variances v = residual_variances(cloud, within, i, radius, near);
-    if (v.heights >= 0) heights.push_back(v.heights);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Residual_variances v = residual_variances(cloud, within, places[k], radii[k], near);
+    if (v.heights >= 0) heights.push_back(with_rim(v.heights, radii[k]));
     if (v.slopes >= 0) slopes.push_back(v.slopes);
     neighbors += v.neighbors;
   }
@@ -95,34 +102,32 @@ Variances_at_radius variances_at_radius(const Cloud& cloud, const Within& within
   return {median_variance(heights, shared), median_variance(slopes, shared)};
 }
 
-/// A ball around a point with noise cuts the noise off at its rim, 2 s^2 / r^2 of the variance s^2 for large r.
-inline void restore_rim(Estimated_variance& v, double radius)
-{
-  const double factor = 1 / (1 - std::min(0.5, 2 * v.value / (radius * radius)));
-  v.value *= factor;
-  v.error *= factor;
-}
-
-/// The median distance of the neighbor that completes least_neighbors.
-/// \throw Invalid_input if there are fewer points, or so many points coincide
-template <class Within>
-double radius_of_least_neighbors(const Cloud& cloud, const Within& within, const Indices& places)
+/// \throw Invalid_input if there are fewer than least_neighbors
+inline double diameter(const Cloud& cloud)
 {
   if (cloud.size < least_neighbors)
-    throw Invalid_input("telling noise from the surface takes " + std::to_string(least_neighbors) +
-                        " points at least: here are " + std::to_string(cloud.size));
+    throw Invalid_input("an automatic choice, and telling noise from the surface, take " +
+                        std::to_string(least_neighbors) + " points at least: here are " + std::to_string(cloud.size));
   Vector_3<double> low = cloud.points[0], high = low;
   for (std::size_t i = 0; i < cloud.size; ++i) {
     const Vector_3<double>& p = cloud.points[i];
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const double diameter = std::sqrt(dot(high - low, high - low));
-  double radius = diameter * std::sqrt(double(least_neighbors) / double(cloud.size)) / 4;
+  return std::sqrt(dot(high - low, high - low));
+}
+
+/// At each place the distance of the neighbor that completes least_neighbors.
+/// \throw Invalid_input if there are fewer points
+template <class Within>
+std::vector<double> radii_of_least_neighbors(const Cloud& cloud, const Within& within, const Indices& places)
+{
+  const double most = diameter(cloud);
+  double radius = most * std::sqrt(double(least_neighbors) / double(cloud.size)) / 4;
   std::vector<double> radii, squares;
   Indices near;
   for (const std::size_t i : places) {
-    for (within(i, radius, near); near.size() < least_neighbors && radius <= diameter; within(i, radius, near))
+    for (within(i, radius, near); near.size() < least_neighbors && radius <= most; within(i, radius, near))
       radius *= 1.5;
     squares.clear();
     for (const std::size_t k : near) {
@@ -134,28 +139,53 @@ double radius_of_least_neighbors(const Cloud& cloud, const Within& within, const
     radii.push_back(std::sqrt(squares[last]));
     if (near.size() > 4 * least_neighbors && radii.back() > 0) radius = 1.5 * radii.back();
   }
-  const double result = median(radii);
-  if (!(result > 0))
+  return radii;
+}
+
+/// How dense points are at places: the radius of level 0 that holds least_neighbors, and the level of each place.
+struct Density
+{
+  double radius;
+  std::vector<int> levels;
+};
+
+/// \throw Invalid_input if there are too few points, or many of them coincide
+template <class Within>
+Density density(const Cloud& cloud, const Within& within, const Indices& places)
+{
+  const std::vector<double> radii = radii_of_least_neighbors(cloud, within, places);
+  Density result{median(radii), {}};
+  if (!(result.radius > 0))
     throw Invalid_input("telling noise from the surface: at half of the places that were looked at " +
                         std::to_string(least_neighbors) + " points coincide");
+  for (const double radius : radii) result.levels.push_back(radius > 0 ? level_of(radius, result.radius) : 0);
   return result;
 }
 
-/// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as
-/// large as the noise found in them. Errors are by chance, and by what other balls say.
-template <class Within>
-Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& places, double least_radius)
+/// The radii of balls at places of several levels: a factor above the least of level 0, or the least of their own; all
+/// enlarged by another.
+inline std::vector<double> radii_at(const Density& density, double factor, double enlarged)
 {
-  const auto at = [&](double radius) {
-    Variances_at_radius v = variances_at_radius(cloud, within, places, radius);
-    restore_rim(v.heights, radius);
-    return v;
+  std::vector<double> radii;
+  for (const int level : density.levels)
+    radii.push_back(enlarged * density.radius * std::max(factor, scale_of_level(level)));
+  return radii;
+}
+
+/// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as large as the noise found
+/// in them. Errors are by chance, and by what other balls say.
+template <class Within>
+Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& places, const Density& density)
+{
+  const auto at = [&](double factor, double enlarged = 1) {
+    return residuals_of_balls(cloud, within, places, radii_at(density, factor, enlarged));
   };
-  double radius = least_radius;
-  const Variances_at_radius least = at(radius);
-  Variances_at_radius v = least;
-  for (int step = 0; step < 60 && radius < 6 * std::sqrt(v.heights.value); ++step) v = at(radius *= ladder_step);
-  const Variances_at_radius larger = at(radius * ladder_step);
+  double factor = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  const Residuals_of_balls least = at(factor);
+  Residuals_of_balls v = least;
+  for (int step = 0; step < 60 && density.radius * factor < 6 * std::sqrt(v.heights.value); ++step)
+    v = at(factor *= ladder_step);
+  const Residuals_of_balls larger = at(factor, ladder_step);
   const auto bias = [](const Estimated_variance& first, const Estimated_variance& own, const Estimated_variance& next) {
     return std::hypot(own.value - first.value, misfit(own, next, ladder_step));
   };
@@ -170,7 +200,7 @@ template <class Within>
 Noise estimate_noise(const Cloud& cloud, const Within& within)
 {
   const Indices places = places_for_noise(cloud);
-  return estimate_noise(cloud, within, places, radius_of_least_neighbors(cloud, within, places));
+  return estimate_noise(cloud, within, places, density(cloud, within, places));
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -60,8 +60,8 @@ public:
   template <class ConcurrencyTag>
   Point_estimation(ConcurrencyTag tag, const PointRange& points, const Neighborhood& neighborhood,
                    const NamedParameters& np, const Options& options)
-    : m_neighborhood(neighborhood), m_given(np), m_read(point_set_tables(tag, points, np)), m_size(m_read.size()),
-      m_options(with_weights(options, points, np)),
+    : m_neighborhood(neighborhood), m_given(np, is_automatic), m_read(point_set_tables(tag, points, np)),
+      m_size(m_read.size()), m_options(with_weights(options, points, np)),
       m_normals(options.use_normals ? read_unit_normals(points, np, m_size) : Unit_normals()), m_tables(tables_of(tag)),
       m_estimator(estimator_of(tag))
   {}

@@ -11,11 +11,8 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/estimation_with_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-
-#include <cmath>
-#include <optional>
-#include <string>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -29,13 +26,8 @@ inline void check_options_for_automatic(const Options& options)
     throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss, no weights");
   if (options.standard_errors)
     throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
-  const auto check = [](const char* name, const std::optional<double>& noise) {
-    if (noise && !(*noise >= 0 && std::isfinite(*noise)))
-      throw Invalid_input(std::string("Options::") + name + " must be finite and not negative: got " +
-                          std::to_string(*noise));
-  };
-  check("position_noise", options.position_noise);
-  check("normal_noise", options.normal_noise);
+  if (options.use_normals) check_noise_with_normals(options);
+  else check_noise(options);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE
