@@ -193,8 +193,9 @@ void parts_of_several_sizes(double ratio, double noise)
   check_equal(summary.estimated, points.size(), "all of two spheres");
   std::vector<double> errors[2];
   for (std::size_t i = 0; i < forms.size(); ++i)
-    errors[i / 1000].push_back(std::abs(
-        std::abs(forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 * (i < 1000 ? 1 : ratio) - 1));
+    errors[i / 1000].push_back(std::abs(std::abs(forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) /
+                                            2 * (i < 1000 ? 1 : ratio) -
+                                        1));
   for (std::vector<double>& of_part : errors) {
     std::sort(of_part.begin(), of_part.end());
     check_le(of_part[950], noise > 0 ? 0.15 : 0.05,
@@ -221,13 +222,14 @@ void uneven_density()
     const double p = 0.6 * points[i].x(), q = -0.2 * points[i].y(), w = std::sqrt(1 + p * p + q * q);
     const double H = ((1 + q * q) * 0.6 + (1 + p * p) * -0.2) / (2 * w * w * w);
     const double sign = forms[i].normal_direction().z() > 0 ? 1 : -1;
-    largest = (std::max)(
-        largest, std::abs(sign * (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 - H));
+    largest =
+        (std::max)(largest,
+                   std::abs(sign * (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2 - H));
   }
   check_le(largest, 0.003, "H of an uneven set"); // nearest(20) has 0.014
 }
 
-// Points whose normal is unknown, which is zero, are none of the data; where there are no others around, no form is made.
+// Points whose normal is unknown, which is zero, are no data; where there are no others around, no form is made.
 void unknown_normals()
 {
   Cloud cloud = noisy_torus(3000, 0);

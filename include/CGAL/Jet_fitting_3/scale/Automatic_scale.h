@@ -132,10 +132,10 @@ private:
     const std::vector<int> levels = levels_of(sample, radius, for_each);
     const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
     for (int level = *least; level <= *most; ++level)
-      m_ladders.push_back(ladder_of_cloud(radius * scale_of_level(level),
-                                          knows_noise || *least == *most ? m_noise
-                                                                         : noise_of_level(sample, levels, level, radius),
-                                          m_cloud.has_normals()));
+      m_ladders.push_back(
+          ladder_of_cloud(radius * scale_of_level(level),
+                          knows_noise || *least == *most ? m_noise : noise_of_level(sample, levels, level, radius),
+                          m_cloud.has_normals()));
     for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
 
     std::vector<Local_ladder> ladders(sample.size());
