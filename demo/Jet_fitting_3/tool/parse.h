@@ -131,7 +131,8 @@ public:
         "degree of the jet. Without -d, -a, -p and -r, degree and neighbors are chosen for each vertex from the data, "
         "up to " +
         std::to_string(most_vertices_for_automatic) + " vertices or " + std::to_string(most_points_for_automatic) +
-        " points with forms of degree 2: that takes up to .3 ms a vertex, 1 ms a point. Otherwise the fixed choice is made, which takes "
+        " points with forms of degree 2: that takes up to .3 ms a vertex, 1 ms a point. Otherwise the fixed choice is "
+        "made, which takes "
         "microseconds: "
         "degree 2, or m, or 4 for ridges. -d 2 asks for it";
     // clang-format off

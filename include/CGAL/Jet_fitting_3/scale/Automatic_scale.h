@@ -102,8 +102,8 @@ private:
     return local.candidates[std::min(rung, local.candidates.size() - 1)].size(2) >= least_neighbors_of(2);
   }
 
-  // Where nothing is known of the bias: degree 2 in the ball in which principal directions are taken, of the least level
-  // that has the neighbors.
+  // Where nothing is known of the bias: degree 2 in the ball in which principal directions are taken, of the least
+  // level that has the neighbors.
   Point_scale without_bias(std::size_t i, Indices& near) const
   {
     Point_scale scale;
@@ -217,8 +217,8 @@ private:
     return result;
   }
 
-  // The point of the subsample that is nearest to point i, mostly in the smallest ball; where points are less dense than
-  // on a level, of a higher one.
+  // The point of the subsample that is nearest to point i, mostly in the smallest ball; where points are less dense
+  // than on a level, of a higher one.
   std::uint32_t nearest_learned(std::size_t i, Indices& near) const
   {
     constexpr std::size_t fewest = least_neighbors / 5; // a corner has a quarter of the least

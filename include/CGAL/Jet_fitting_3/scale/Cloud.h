@@ -54,8 +54,8 @@ constexpr double ladder_step = 1.25;
 /// How many neighbors the smallest ball has in the median: three times the unknowns of degree 4.
 constexpr std::size_t least_neighbors = 45;
 
-/// Points of one level are about as dense: a level is so many steps of the radius, 2.4 times, above the one before. Half
-/// of one more than what a straight border of the surface makes of the radius that holds so many neighbors.
+/// Points of one level are about as dense: a level is so many steps of the radius, 2.4 times, above the one before. A
+/// straight border of the surface makes the radius 1.4 times as large, which is less than half a level.
 constexpr int steps_of_level = 4;
 
 /// The level at which a radius is, above that of a reference.
