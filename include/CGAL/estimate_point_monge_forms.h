@@ -56,7 +56,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///        - `point_weight_map`, from items to weights, instead of Fit_options::point_weights: see
 ///          parameters::point_weight_map()
 ///        - `geom_traits`, the kernel (that of the points)
-///        - `svd_traits`, a model of SvdTraits: always called, if given
+///        - `svd_traits`, a model of SvdTraits: always called, if given, but by automatic()
 ///        - `callback`, called as callback(p) with the fraction p in (0, 1] that is done, by one thread at a time;
 ///          returning false cancels: only the forms of the points before the first that was not reached are written,
 ///          which may be none. With nearest() and within_radius() forms are written once all are estimated

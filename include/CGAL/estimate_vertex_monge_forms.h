@@ -59,7 +59,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///          angle; estimate_side_monge_forms() estimates one form for each side. Constrained border edges have no
 ///          effect
 ///        - `geom_traits`, the kernel (that of the points)
-///        - `svd_traits`, a model of SvdTraits: always called, if given
+///        - `svd_traits`, a model of SvdTraits: always called, if given, but by automatic()
 ///        - `callback`, called as callback(p) with the fraction p in (0, 1] that is done, by one thread at a time;
 ///          returning false cancels, after which the forms of the remaining vertices are as they were
 /// \param options beyond named parameters

@@ -13,19 +13,34 @@
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/internal/machine/prefetch.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Monge_via_jet_fitting.h>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Whether forms can be put into a property map.
+template <class Map, class Form, class = void>
+struct Takes_forms : std::false_type
+{};
+
+template <class Map, class Form>
+struct Takes_forms<Map, Form, std::void_t<typename boost::property_traits<Map>::value_type>>
+  : std::is_assignable<typename boost::property_traits<Map>::value_type&, const Form&>
+{};
+
 /// Writes the forms of blocks to a property map of the vertices.
 template <class Tables, class VertexFormMap, class Rows>
 class Map_output
 {
   using Block = Estimated_block<typename Tables::Kernel>;
+  static_assert(Takes_forms<VertexFormMap, Monge_form<typename Tables::Kernel>>::value,
+                "the third argument must be a property map whose values are Monge_form of the kernel of the points");
 
 public:
   Map_output(const Tables& tables, const VertexFormMap& map, const Rows& rows)

@@ -70,10 +70,27 @@ template <class Range, class NamedParameters>
 using Point_of_range = std::remove_cv_t<typename boost::property_traits<
     decltype(point_map_of(std::declval<const Range&>(), std::declval<const NamedParameters&>()))>::value_type>;
 
+template <class Kernel, class = void>
+struct Has_points : std::false_type
+{};
+
+template <class Kernel>
+struct Has_points<Kernel, std::void_t<typename Kernel::Point_3>> : std::true_type
+{};
+
+/// Tells users what is missing, before anything else fails.
+template <class Kernel>
+struct Checked_kernel
+{
+  static_assert(Has_points<Kernel>::value,
+                "the values of the range are no CGAL points: a map to points is needed, named parameter point_map");
+  using type = Kernel;
+};
+
 template <class Range, class NamedParameters>
-using Kernel_of_range = typename internal_np::Lookup_named_param_def<
+using Kernel_of_range = typename Checked_kernel<typename internal_np::Lookup_named_param_def<
     internal_np::geom_traits_t, NamedParameters,
-    typename Kernel_traits<Point_of_range<Range, NamedParameters>>::Kernel>::type;
+    typename Kernel_traits<Point_of_range<Range, NamedParameters>>::Kernel>::type>::type;
 
 /// What the estimation at the points of a range needs of it: compact tables, by position in the range.
 template <class PointKernel>
