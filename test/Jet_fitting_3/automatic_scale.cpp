@@ -151,9 +151,11 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
   return best;
 }
 
+// With normals ellipses are better than any ball on the torus, where the smaller curvature changes around the tube.
 void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double, double), double noise,
                                 bool with_normals)
 {
+  const double most = with_normals && surface == on_torus ? .95 : 2;
   const std::size_t every = 25;
   const Noisy_cloud noisy(surface, noise, 10 * noise);
   const scale::Cloud cloud = noisy.cloud(with_normals);
@@ -173,11 +175,12 @@ void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double
   }
   const Squares best = best_fixed(cloud, noisy, within, automatic, every);
   const char* quantities[] = {"H", "k1", "k2", "normal"};
-  // on so few points the ratios are 0.9 to 1.9
+  // on so few points the ratios are 0.6 to 1.9
   std::cout << name << (with_normals ? ", normals:" : ":");
   for (int q = 0; q < 4; ++q) std::cout << ' ' << quantities[q] << ' ' << squares.rms(q) << " / " << best.rms(q);
   std::cout << std::endl;
-  for (int q = 0; q < 4; ++q) test::check_le(squares.rms(q), 2 * best.rms(q), name + ": error of " + quantities[q]);
+  for (int q = 0; q < 4; ++q)
+    test::check_le(squares.rms(q), (q < 3 ? most : 2) * best.rms(q), name + ": error of " + quantities[q]);
 }
 
 // The order in which points are asked, and what was asked before, do not matter.

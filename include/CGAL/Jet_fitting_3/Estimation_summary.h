@@ -31,7 +31,7 @@ namespace Jet_fitting {
 /// mean of fits: of their radii by weight the root of the mean square, and the degree that has most of the weight.
 struct Chosen_scale
 {
-  double radius = 0;             ///< length; on meshes of disks, or of disks of the area of ellipses
+  double radius = 0;             ///< length; of balls or disks, or of disks of the area of ellipses
   std::size_t degree = 0;        ///< of the jet
   double bias = 0;               ///< as estimated, 1/length
   double standard_deviation = 0; ///< by noise, as estimated, 1/length

@@ -78,7 +78,7 @@ public:
     if (learned == none) return without_bias(i, near);
     const std::size_t level = m_levels[learned];
     const Ladder& ladder = m_ladders[level];
-    const Local_ladder local = local_ladder_at(i, ladder, std::max(fewest_rungs(ladder), m_rungs[learned]), near);
+    const Local_ladder local = local_ladder_at(i, ladder, m_wanted[learned], near);
     Point_scale scale = choose(local, m_tables[learned], ladder);
     scale.level = level;
     return scale.is_chosen && has_neighbors(local, ladder) ? scale : without_bias(i, near);
@@ -88,10 +88,10 @@ private:
   // Those that the frame and the principal directions need.
   static std::size_t fewest_rungs(const Ladder& ladder) { return std::min(ladder.axes + 1, ladder.radii.size()); }
 
-  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, std::size_t rungs, Indices& near) const
+  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, const Wanted_rungs& wanted, Indices& near) const
   {
-    m_within(i, reach(m_cloud, ladder, rungs), near);
-    return local_ladder(m_cloud, near, local_frame(m_cloud, near, i, ladder), ladder, rungs);
+    m_within(i, reach(m_cloud, ladder, wanted.end()), near);
+    return local_ladder(m_cloud, near, local_frame(m_cloud, near, i, ladder), ladder, wanted);
   }
 
   // Twice the unknowns of degree 2 around the point, and not only beside it, where the samples are those whose normals
@@ -112,12 +112,13 @@ private:
       const std::size_t rungs = fewest_rungs(m_ladders[level]);
       m_within(i, reach(m_cloud, m_ladders[level], rungs), near);
       if (double(near.size()) < least_neighbors_of(2)) continue;
-      const Local_ladder local = local_ladder_at(i, m_ladders[level], rungs, near);
+      const Local_ladder local = local_ladder_at(i, m_ladders[level], {{m_ladders[level].first, rungs}}, near);
       scale.has_neighbors = has_neighbors(local, m_ladders[level]);
       scale.level = level;
       scale.frame = local.frame;
-      for (Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]})
-        *c = {m_ladders[level].radii[rungs - 1], rungs - 1, 2, unknown, unknown, unknown, 0};
+      scale.in_ball = {m_ladders[level].radii[rungs - 1], Shape::ball, rungs - 1, 2, unknown, unknown, unknown, 0};
+      scale.normal = scale.in_ball;
+      scale.curvatures.fill(scale.in_ball);
     }
     return scale;
   }
@@ -143,18 +144,20 @@ private:
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       Indices near;
-      ladders[k] = local_ladder_at(sample[k], ladder, ladder.radii.size(), near);
+      const Rung_range all{ladder.first, ladder.radii.size()};
+      ladders[k] = local_ladder_at(sample[k], ladder, {all, {all, all}}, near);
       for (const std::uint32_t member : learned_within(sample[k], ladder.patch(), near))
         if (m_levels[member] == m_levels[k]) patches[k].push_back(member);
     });
     m_tables.resize(sample.size());
-    m_rungs.resize(sample.size());
+    m_wanted.resize(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       Patch_statistics::Patch patch;
       for (const std::uint32_t member : patches[k]) patch.push_back(&ladders[member]);
       m_tables[k] = bias_table(patch, ladder);
-      m_rungs[k] = std::min(ladder.radii.size(), largest_rung(choose(ladders[k], m_tables[k], ladder)) + 2);
+      m_wanted[k] = rungs_around(choose(ladders[k], m_tables[k], ladder), ladder);
+      m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, fewest_rungs(ladder));
     });
   }
 
@@ -257,7 +260,7 @@ private:
   std::vector<std::uint32_t> m_learned; // for each point its place in the subsample
   std::vector<std::size_t> m_levels;    // of the subsample
   std::vector<Bias_table> m_tables;
-  std::vector<std::size_t> m_rungs; // how many are worth a look nearby
+  std::vector<Wanted_rungs> m_wanted; // what is worth a look nearby
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -49,11 +49,26 @@ struct Squared_bias
   double evidence = 0;
 };
 
-/// Of one target: [degree - 2][rung].
-using Bias_of_target = std::array<std::vector<Squared_bias>, 3>;
+/// Of one target, in one shape: [degree - 2][rung].
+using Bias_in_shape = std::array<std::vector<Squared_bias>, 3>;
+
+/// Of one target.
+struct Bias_of_target
+{
+  Bias_in_shape in_balls, in_ellipses; ///< the latter along the direction of the derivative, see long_shape()
+
+  const Bias_in_shape& in(Shape shape) const { return shape == Shape::ball ? in_balls : in_ellipses; }
+};
 
 /// Of all targets.
 using Bias_table = std::array<Bias_of_target, number_of_targets>;
+
+/// The other shape that is a candidate for a target beside the ball: second derivatives along an axis are known best
+/// from samples along it, and are disturbed by how they change across.
+constexpr Shape long_shape(std::size_t target)
+{
+  return target == 1 ? Shape::along_x : target == 3 ? Shape::along_y : Shape::ball;
+}
 
 /// Whether a degree is a candidate for a target: odd degrees add nothing to second derivatives.
 constexpr bool is_candidate(std::size_t target, std::size_t degree) { return target == 0 || degree != 3; }
@@ -85,18 +100,25 @@ class Patch_statistics
 public:
   using Patch = std::vector<const Local_ladder*>;
 
+  /// Some fit at each of the points.
+  struct Fit
+  {
+    Shape shape;
+    std::size_t degree, rung;
+  };
+
   Patch_statistics(const Patch& patch, const Ladder& ladder, std::size_t target)
     : m_patch(patch), m_ladder(ladder), m_target(target)
   {}
 
-  /// The squared bias of a candidate against reference k, unbiased if the reference is: what is left of the squared
-  /// difference beyond noise, which is the difference of the variances since the candidate is the efficient one.
-  Estimated squared_bias(std::size_t degree, std::size_t j, std::size_t k) const
+  /// The squared bias of a candidate against a reference that has some of its samples and no lower degree, unbiased if
+  /// the reference is: what is left of the squared difference beyond noise, which is the difference of the variances
+  /// since the candidate is the efficient one.
+  Estimated squared_bias(const Fit& of_candidate, const Fit& of_reference) const
   {
     double total = 0, sum = 0, n = 0;
     for (const Local_ladder* local : m_patch) {
-      const Turned_second_order &candidate = local->candidates[j].of_degree(degree),
-                                &reference = local->candidates[k].of_degree(4);
+      const Turned_second_order &candidate = found(*local, of_candidate), &reference = found(*local, of_reference);
       const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
       if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
       const double d = std::min(squared_difference(candidate, reference, m_target), constant::clip * v_k);
@@ -106,12 +128,17 @@ public:
       n += 1;
     }
     if (n < 2) return {0, unknown};
-    const double ratio = m_ladder.patch() / m_ladder.radii[k];
+    const double ratio = m_ladder.patch() / m_ladder.radii[of_reference.rung];
     const double independent = std::min(n, std::max(1., 2 * ratio * ratio));
     return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (n / total) / independent)};
   }
 
 private:
+  static const Turned_second_order& found(const Local_ladder& local, const Fit& fit)
+  {
+    return local.of_shape(fit.shape)[fit.rung].of_degree(fit.degree);
+  }
+
   const Patch& m_patch;
   const Ladder& m_ladder;
   std::size_t m_target;
@@ -121,15 +148,22 @@ private:
 struct Bias_bounds
 {
   double least = 0, seen = 0, likely = unknown, evidence = 0;
+
+  /// What a comparison proves.
+  void add(const Estimated& e)
+  {
+    least = std::max(least, e.value - constant::certain * e.error);
+    if (e.error > 0) evidence = std::max(evidence, e.value / e.error);
+  }
 };
 
 /// The radii of the ladder as far as the balls of a patch grow with them: one that has gone around a closed surface, to
 /// where neighbors are of another side, gains no neighbors, and has the bias of the last.
-inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch, const Ladder& ladder)
+inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch, const Ladder& ladder, Shape shape)
 {
   std::vector<double> result = ladder.radii, sizes(result.size(), 0);
   for (const Local_ladder* local : patch)
-    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->candidates[j].size(2);
+    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->of_shape(shape)[j].size(2);
   for (std::size_t j = 1; j < sizes.size(); ++j)
     result[j] = result[j - 1] * (sizes[j - 1] > 0 ? std::min(ladder_step, sizes[j] / sizes[j - 1]) : ladder_step);
   return result;
@@ -138,16 +172,15 @@ inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch,
 /// A degree of 2 or 3 is compared with degree 4 in its own ball; degree 4 with itself in the next smaller ball, whose
 /// bias it shares: of C r^4, a difference of C (r^4 - r_k^4) is seen.
 inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder& ladder,
-                               const std::vector<double>& radii, std::size_t degree, std::size_t j)
+                               const std::vector<double>& radii, const Patch_statistics::Fit& fit)
 {
   Bias_bounds bounds;
-  const std::size_t end = degree == 4 ? j : j + 1;
+  const std::size_t end = fit.degree == 4 ? fit.rung : fit.rung + 1;
   for (std::size_t k = ladder.first_reference; k < end; ++k) {
-    const Estimated e = statistics.squared_bias(degree, j, k);
+    const Estimated e = statistics.squared_bias(fit, {fit.shape, 4, k});
     if (!(e.error < unknown)) continue;
-    const double shared = degree == 4 ? std::pow(1 - std::pow(radii[k] / radii[j], 4), 2) : 1;
-    bounds.least = std::max(bounds.least, e.value - constant::certain * e.error);
-    if (e.error > 0) bounds.evidence = std::max(bounds.evidence, e.value / e.error);
+    const double shared = fit.degree == 4 ? std::pow(1 - std::pow(radii[k] / radii[fit.rung], 4), 2) : 1;
+    bounds.add(e);
     const bool is_last = k + 1 == end;
     bounds.seen = std::max(bounds.seen, (e.value - e.error) / (is_last && shared > 0 ? shared : 1));
     if (!is_last) continue;
@@ -156,6 +189,18 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
   }
   bounds.likely = std::max(bounds.likely, bounds.least);
   return bounds;
+}
+
+/// A ball that is large for the surface has much of its bias from across the direction of the derivative, with degree 4
+/// as well. The ellipse in it does not share that.
+inline void compare_with_ellipse(const Patch_statistics& statistics, Shape shape, const Patch_statistics::Fit& fit,
+                                 Bias_bounds& bounds)
+{
+  const Estimated e = statistics.squared_bias(fit, {shape, 4, fit.rung});
+  if (!(e.error < unknown)) return;
+  bounds.add(e);
+  bounds.seen = std::max(bounds.seen, e.value - e.error);
+  bounds.likely = std::max({bounds.likely, e.value, bounds.least});
 }
 
 /// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
@@ -181,7 +226,7 @@ inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bou
 }
 
 /// What one degree shows the others have, too.
-inline void share_evidence(Bias_of_target& of_degrees)
+inline void share_evidence(Bias_in_shape& of_degrees)
 {
   std::vector<double> most;
   for (const std::vector<Squared_bias>& biases : of_degrees) {
@@ -209,31 +254,46 @@ inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladd
 inline void expect_falling_terms(Bias_table& table, double squared_curvature)
 {
   if (!(squared_curvature > 0)) return;
-  for (std::size_t j = 0; j < table[1][0].size(); ++j) {
-    const double most = std::max({table[1][0][j].value, table[2][0][j].value, table[3][0][j].value});
+  const auto of_degree_2 = [&table](std::size_t target, std::size_t j) { return table[target].in_balls[0][j].value; };
+  for (std::size_t j = 0; j < table[1].in_balls[0].size(); ++j) {
+    const double most = std::max({of_degree_2(1, j), of_degree_2(2, j), of_degree_2(3, j)});
     const double expected = most * most / squared_curvature;
     for (std::size_t target = 1; target < number_of_targets; ++target) {
-      Squared_bias& b = table[target][2][j];
+      Squared_bias& b = table[target].in_balls[2][j];
       b.value = std::min(b.value, std::max(b.seen, expected));
     }
   }
+}
+
+/// Of a target in a shape.
+inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const Ladder& ladder, std::size_t target,
+                                   Shape shape)
+{
+  Bias_in_shape result;
+  const Patch_statistics statistics(patch, ladder, target);
+  const std::vector<double> radii = effective_radii(patch, ladder, shape);
+  const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
+  for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
+    if (!is_candidate(target, degree)) continue;
+    std::vector<Bias_bounds> bounds(ladder.radii.size());
+    for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {
+      bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j});
+      if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
+    }
+    result[degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
+  }
+  share_evidence(result);
+  return result;
 }
 
 /// The table of a patch.
 inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder)
 {
   Bias_table table;
-  const std::vector<double> radii = effective_radii(patch, ladder);
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    const Patch_statistics statistics(patch, ladder, target);
-    for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
-      if (!is_candidate(target, degree)) continue;
-      std::vector<Bias_bounds> bounds(ladder.radii.size());
-      for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j)
-        bounds[j] = bias_bounds(statistics, ladder, radii, degree, j);
-      table[target][degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
-    }
-    share_evidence(table[target]);
+    table[target].in_balls = bias_in_shape(patch, ladder, target, Shape::ball);
+    if (ladder.with_normals && long_shape(target) != Shape::ball)
+      table[target].in_ellipses = bias_in_shape(patch, ladder, target, long_shape(target));
   }
   if (!ladder.with_normals) expect_falling_terms(table, squared_curvature(patch, ladder));
   return table;

@@ -46,13 +46,35 @@ inline Basis_3<double> axes_around(const Vector_3<double>& z)
   return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
-/// The samples in a ball around the origin of a frame.
-inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
+/// Where the neighbors of a fit are: in a ball, or in an ellipse that has its radius along one axis of the frame.
+enum class Shape
+{
+  ball,
+  along_x,
+  along_y
+};
+
+/// How many times longer than wide ellipses are.
+constexpr double elongation = 3;
+
+/// The square of the radius that a shape needs to hold what is at this distance from the origin and has these
+/// coordinates.
+inline double squared_radius(Shape shape, double squared_distance, double u, double v)
+{
+  constexpr double across = elongation * elongation - 1;
+  if (shape == Shape::ball) return squared_distance;
+  return squared_distance + across * (shape == Shape::along_x ? v * v : u * u);
+}
+
+/// The samples in a shape around the origin of a frame.
+inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
+                      Shape shape = Shape::ball)
 {
   Indices result;
   for (const std::size_t i : near) {
     const Vector_3<double> d = cloud.points[i] - frame.origin;
-    if (dot(d, d) <= radius * radius && cloud.is_sample(i)) result.push_back(i);
+    const double square = squared_radius(shape, dot(d, d), dot(d, frame.axes.x), dot(d, frame.axes.y));
+    if (square <= radius * radius && cloud.is_sample(i)) result.push_back(i);
   }
   return result;
 }
@@ -79,6 +101,17 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
   s.slope_v = -normal_factor * n.y;
+  return s;
+}
+
+/// In axes that are turned by an angle from x to y.
+inline Local_sample turned(Local_sample s, double cosine, double sine)
+{
+  const double u = s.u, slope_u = s.slope_u;
+  s.u = cosine * u + sine * s.v;
+  s.v = cosine * s.v - sine * u;
+  s.slope_u = cosine * slope_u + sine * s.slope_v;
+  s.slope_v = cosine * s.slope_v - sine * slope_u;
   return s;
 }
 

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +39,28 @@ struct Rung
 struct Local_ladder
 {
   Local_frame frame;
-  std::vector<Rung> candidates; ///< one a radius
+  std::vector<Rung> candidates;               ///< in balls, one a radius
+  std::array<std::vector<Rung>, 2> elongated; ///< in ellipses along x and along y, with normals; or none
+
+  const std::vector<Rung>& of_shape(Shape shape) const
+  {
+    return shape == Shape::ball ? candidates : elongated[shape == Shape::along_x ? 0 : 1];
+  }
+};
+
+/// Some rungs of a ladder.
+struct Rung_range
+{
+  std::size_t first = 0, end = 0;
+};
+
+/// Those that are fitted, in balls, in ellipses along x and along y. The others have no samples.
+struct Wanted_rungs
+{
+  Rung_range balls;
+  std::array<Rung_range, 2> elongated{};
+
+  std::size_t end() const { return std::max({balls.end, elongated[0].end, elongated[1].end}); }
 };
 
 /// The tangent plane at point i. Neighbors within the radius of ladder.frame, and five times the noise, are needed.
@@ -125,9 +147,9 @@ inline std::vector<Second_order> fits_of_degree_2(const std::vector<Shell_sums>&
 
 /// Which neighbors a fit has.
 inline Indices neighbors_of_fit(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                                std::size_t rung, std::size_t degree)
+                                Shape shape, std::size_t rung, std::size_t degree)
 {
-  if (cloud.has_normals() || degree == 2) return inside(cloud, near, frame, ladder.radii[rung]);
+  if (cloud.has_normals() || degree == 2) return inside(cloud, near, frame, ladder.radii[rung], shape);
   const Neighbors_in_balls neighbors(cloud, near, frame, ladder, rung + 1);
   const Row_weights weights(cloud, ladder.noise, neighbors.balls().unit());
   const auto low = fits_of_degree_2(neighbors.sums_of_balls(), weights, neighbors.balls());
@@ -137,7 +159,7 @@ inline Indices neighbors_of_fit(const Cloud& cloud, const Indices& near, const L
 /// The fits of a radius, and their numbers of neighbors.
 struct Fits_of_radius
 {
-  std::array<double, 3> sizes;
+  std::array<double, 3> sizes{};
   std::array<Second_order, 3> fits;
 };
 
@@ -161,37 +183,68 @@ inline std::vector<Fits_of_radius> fits_to_positions(const Cloud& cloud, const I
   return result;
 }
 
-/// With normals, which tell other sheets, and whose noise is not cut off.
-inline std::vector<Fits_of_radius> fits_with_normals(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                                     const Ladder& ladder, std::size_t rungs)
+/// The neighbors of a point, for fits with normals, which tell other sheets, and whose noise is not cut off.
+class Oriented_neighbors
 {
-  const Balls balls(ladder, rungs);
-  const Row_weights weights(cloud, ladder.noise, balls.unit());
-  const double factor = normal_factor(ladder.noise);
-  std::vector<Shell_sums> sums(rungs + 1);
-  for (const std::size_t i : near) {
-    const Local_sample s = local_sample(cloud, i, frame, 1 / balls.unit(), factor);
-    const std::size_t ball = balls.first(s.square / (balls.unit() * balls.unit()));
-    if (s.is_there && ball < rungs) sums[ball].add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+public:
+  Oriented_neighbors(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
+                     std::size_t rungs)
+    : m_balls(ladder, rungs), m_weights(cloud, ladder.noise, m_balls.unit())
+  {
+    const double factor = normal_factor(ladder.noise);
+    for (const std::size_t i : near) {
+      Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), factor);
+      s.square /= m_balls.unit() * m_balls.unit();
+      if (s.is_there && s.square <= 1) m_samples.push_back(s);
+    }
   }
-  accumulate(sums);
-  std::vector<Fits_of_radius> result;
-  for (std::size_t j = 0; j < rungs; ++j) {
-    const Nested_fit fit(sums[j], weights.height, weights.slope);
-    const double size = sums[j].size();
-    result.push_back({{size, size, size}, {}});
-    for (std::size_t d = 2; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, balls.unit());
+
+  /// \param rungs those from the first to the end have samples
+  /// \param cosine, sine of the angle from x to y by which axes are turned
+  std::vector<Fits_of_radius> fits(Shape shape, const Rung_range& rungs, double cosine = 1, double sine = 0) const
+  {
+    std::vector<Shell_sums> sums(m_balls.size() + 1);
+    for (const Local_sample& sample : m_samples) {
+      if (rungs.end < m_balls.size() && sample.square > m_balls.square(rungs.end - 1)) continue;
+      const Local_sample s = shape == Shape::ball ? sample : turned(sample, cosine, sine);
+      const std::size_t j = std::max(rungs.first, m_balls.first(squared_radius(shape, s.square, s.u, s.v)));
+      if (j < rungs.end) sums[j].add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+    }
+    accumulate(sums);
+    std::vector<Fits_of_radius> result(m_balls.size());
+    for (std::size_t j = rungs.first; j < rungs.end; ++j) {
+      const Nested_fit fit(sums[j], m_weights.height, m_weights.slope);
+      result[j].sizes.fill(sums[j].size());
+      for (std::size_t d = 2; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, m_balls.unit());
+    }
+    return result;
   }
-  return result;
+
+private:
+  Balls m_balls;
+  Row_weights m_weights;
+  std::vector<Local_sample> m_samples; // in lengths of the unit of the balls
+};
+
+inline std::vector<Rung> turned(const std::vector<Fits_of_radius>& fits, double cosine, double sine)
+{
+  std::vector<Rung> rungs(fits.size());
+  for (std::size_t j = 0; j < fits.size(); ++j) {
+    rungs[j].sizes = fits[j].sizes;
+    for (std::size_t d = 0; d < 3; ++d) rungs[j].fits[d] = turned(fits[j].fits[d], cosine, sine);
+  }
+  return rungs;
 }
 
-/// Fits for so many radii around point i.
+/// Fits for these radii around point i; from positions for all below the end, and no ellipses.
 inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                 const Ladder& ladder, std::size_t rungs)
+                                 const Ladder& ladder, const Wanted_rungs& wanted)
 {
-  const std::vector<Fits_of_radius> fits = cloud.has_normals() ? fits_with_normals(cloud, near, frame, ladder, rungs)
-                                                               : fits_to_positions(cloud, near, frame, ladder, rungs);
-  const Second_order& pilot = fits[std::min(ladder.axes, rungs - 1)].fits[0];
+  std::optional<Oriented_neighbors> oriented;
+  if (cloud.has_normals()) oriented.emplace(cloud, near, frame, ladder, wanted.end());
+  const std::vector<Fits_of_radius> fits = oriented ? oriented->fits(Shape::ball, wanted.balls)
+                                                    : fits_to_positions(cloud, near, frame, ladder, wanted.balls.end);
+  const Second_order& pilot = fits[std::min(ladder.axes, wanted.balls.end - 1)].fits[0];
   const auto eigen = numeric::symmetric_eigen_2(pilot.value[2], std::sqrt(0.5) * pilot.value[3], pilot.value[4]);
   const bool first = std::abs(eigen.larger_value) >= std::abs(eigen.smaller_value);
   const double c = first ? eigen.x : -eigen.y, s = first ? eigen.y : eigen.x;
@@ -199,10 +252,11 @@ inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const 
   Local_ladder result;
   const Basis_3<double>& axes = frame.axes;
   result.frame = {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
-  result.candidates.resize(rungs);
-  for (std::size_t j = 0; j < rungs; ++j) {
-    result.candidates[j].sizes = fits[j].sizes;
-    for (std::size_t d = 0; d < 3; ++d) result.candidates[j].fits[d] = turned(fits[j].fits[d], c, s);
+  result.candidates = turned(fits, c, s);
+  for (const Shape shape : {Shape::along_x, Shape::along_y}) {
+    const std::size_t k = shape == Shape::along_x ? 0 : 1;
+    if (oriented && wanted.elongated[k].end > 0)
+      result.elongated[k] = turned(oriented->fits(shape, wanted.elongated[k], c, s), 1, 0);
   }
   return result;
 }

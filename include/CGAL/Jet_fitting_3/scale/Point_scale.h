@@ -25,13 +25,20 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// What was chosen for a target.
 struct Choice
 {
-  double radius = 0;
+  double radius = 0; ///< of an ellipse along its longer axis
+  Shape shape = Shape::ball;
   std::size_t rung = 0, degree = 2;
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
 };
+
+/// Of the disk that has the area of the neighborhood.
+inline double radius_of_area(const Choice& choice)
+{
+  return choice.shape == Shape::ball ? choice.radius : choice.radius / std::sqrt(elongation);
+}
 
 /// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all
 /// there is they are as large as the noise: without evidence they count for little.
@@ -49,6 +56,7 @@ struct Point_scale
   Local_frame frame;
   Choice normal;                    ///< for the slopes of the surface in the frame
   std::array<Choice, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
+  Choice in_ball;                   ///< for J_xx if it is to be a ball, of which there are higher orders, too
   Jet<double> jet{2};               ///< of the surface in the frame, with the digits of normal equations
   std::size_t level = 0;            ///< of the density of points, which has a ladder of its own
   bool is_chosen = true;            ///< false where no bias is known: no point of the subsample nearby, too few points
@@ -58,22 +66,24 @@ struct Point_scale
 /// The least neighbors of a candidate: twice its unknowns.
 constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
 
-/// The candidate with the least squared bias plus variance; the smallest radius, the lowest degree if several.
-inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::size_t target, const Ladder& ladder,
-                   Choice& choice)
+/// The candidate of a shape with the least squared bias plus variance if that is less than `least`; the smallest
+/// radius, the lowest degree if several.
+/// \return what is the least now
+inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shape shape, std::size_t target,
+                     const Ladder& ladder, double least, Choice& choice)
 {
-  double least = unknown;
-  for (std::size_t j = ladder.first; j < local.candidates.size(); ++j)
+  const std::vector<Rung>& rungs = local.of_shape(shape);
+  for (std::size_t j = ladder.first; j < rungs.size(); ++j)
     for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
-      if (!is_candidate(target, degree) || local.candidates[j].size(degree) < least_neighbors_of(degree)) continue;
-      const Turned_second_order& fit = local.candidates[j].of_degree(degree);
+      if (!is_candidate(target, degree) || rungs[j].size(degree) < least_neighbors_of(degree)) continue;
+      const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);
-      const Squared_bias& b = bias[degree - 2][j];
+      const Squared_bias& b = bias.in(shape)[degree - 2][j];
       if (!(b.value + v < least)) continue;
       least = b.value + v;
-      choice = {ladder.radii[j], j, degree, b.value, v, b.most, b.evidence, fit.excess};
+      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.excess};
     }
-  return least < unknown;
+  return least;
 }
 
 /// Height and slopes from the fit that was chosen for the normal, second derivatives each from its own. Of no use with
@@ -81,7 +91,7 @@ inline bool choose(const Local_ladder& local, const Bias_of_target& bias, std::s
 inline Jet<double> jet_of_choice(const Local_ladder& local, const Point_scale& scale)
 {
   const auto fit = [&local](const Choice& c) -> const Turned_second_order& {
-    return local.candidates[c.rung].of_degree(c.degree);
+    return local.of_shape(c.shape)[c.rung].of_degree(c.degree);
   };
   const Turned_second_order& of_normal = fit(scale.normal);
   const double xx = fit(scale.curvatures[0]).value[2], yy = fit(scale.curvatures[2]).value[4];
@@ -99,9 +109,15 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
 {
   Point_scale scale;
   scale.frame = local.frame;
-  scale.is_chosen = choose(local, table[0], 0, ladder, scale.normal);
-  for (std::size_t target = 1; target < number_of_targets; ++target)
-    scale.is_chosen = choose(local, table[target], target, ladder, scale.curvatures[target - 1]) && scale.is_chosen;
+  scale.is_chosen = choose(local, table[0], Shape::ball, 0, ladder, unknown, scale.normal) < unknown;
+  for (std::size_t target = 1; target < number_of_targets; ++target) {
+    Choice& choice = scale.curvatures[target - 1];
+    const double least = choose(local, table[target], Shape::ball, target, ladder, unknown, choice);
+    scale.is_chosen = scale.is_chosen && least < unknown;
+    if (target == 1) scale.in_ball = choice;
+    if (long_shape(target) != Shape::ball)
+      choose(local, table[target], long_shape(target), target, ladder, least, choice);
+  }
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;
 }
@@ -120,12 +136,18 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
   return {error(monge.axes.x, monge.k1), error(monge.axes.y, monge.k2)};
 }
 
-/// The largest rung that was chosen.
-inline std::size_t largest_rung(const Point_scale& scale)
+/// What is worth a look near a point where this was chosen.
+inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder)
 {
-  std::size_t j = scale.normal.rung;
-  for (const Choice& c : scale.curvatures) j = std::max(j, c.rung);
-  return j;
+  const std::size_t end = ladder.radii.size();
+  Wanted_rungs wanted;
+  wanted.balls = {ladder.first, std::min(end, std::max(scale.normal.rung, scale.in_ball.rung) + 2)};
+  for (const Choice& c : scale.curvatures) {
+    const std::size_t above = std::min(end, c.rung + 2);
+    if (c.shape == Shape::ball) wanted.balls.end = std::max(wanted.balls.end, above);
+    else wanted.elongated[c.shape == Shape::along_x ? 0 : 1] = {std::max(ladder.first + 2, c.rung) - 2, above};
+  }
+  return wanted;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -68,7 +68,7 @@ template <class Solver>
 Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Choice& choice,
                            const Ladder& ladder, Solver& solver)
 {
-  const Indices inside = neighbors_of_fit(cloud, near, frame, ladder, choice.rung, choice.degree);
+  const Indices inside = neighbors_of_fit(cloud, near, frame, ladder, choice.shape, choice.rung, choice.degree);
   return fit_to_samples(cloud, inside, frame, choice.radius, choice.degree, ladder.noise, solver);
 }
 
@@ -81,7 +81,7 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 
 /// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
 /// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit with
-/// the radius of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the
+/// the ball of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the
 /// digits, else fits are made anew, by orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
 /// \return nothing where samples do not determine it: where they lie on a line
@@ -93,7 +93,8 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
   bool is_determined = true;
   const auto fitted = [&](const Choice& c) -> const Jet<double>& {
     for (const auto& known : fits)
-      if (known.first.rung == c.rung && known.first.degree == c.degree) return known.second;
+      if (known.first.shape == c.shape && known.first.rung == c.rung && known.first.degree == c.degree)
+        return known.second;
     const Jet_fit<double> fit = fit_of_choice(cloud, near, scale.frame, c, ladder, solver).fit;
     is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree);
     fits.emplace_back(c, fit.jet);
@@ -101,7 +102,7 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
   if (order > 2) {
-    Choice higher = scale.curvatures[0];
+    Choice higher = scale.in_ball;
     higher.degree = std::max(order, highest_degree);
     const Jet<double> of_order = fitted(higher);
     for (std::size_t k = 3; k <= order; ++k) std::copy_n(of_order.part(k), k + 1, jet.part(k));

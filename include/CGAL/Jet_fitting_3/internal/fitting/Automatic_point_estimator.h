@@ -158,7 +158,7 @@ private:
   {
     const scale::Choice &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
     Chosen_scale chosen;
-    chosen.radius = std::sqrt((x.radius * x.radius + y.radius * y.radius) / 2);
+    chosen.radius = std::hypot(radius_of_area(x), radius_of_area(y)) / std::sqrt(2);
     chosen.degree = (std::max)(x.degree, y.degree);
     chosen.bias = std::sqrt((x.squared_bias + y.squared_bias) / 2);
     chosen.standard_deviation = std::sqrt((x.variance + y.variance) / 2);
