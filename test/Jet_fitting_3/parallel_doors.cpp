@@ -17,11 +17,13 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace test;
@@ -156,6 +158,34 @@ void progress(const Mesh& mesh)
       {"from the neighborhood"}, "an exception from a user's neighborhood");
 }
 
+// With normals as data: what is learned, and each choice.
+void automatic_points_for_all_threads(const Mesh& mesh)
+{
+  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>> points;
+  for (const Vertex v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    const double ring = std::hypot(p.x(), p.y());
+    points.emplace_back(p, Kernel::Vector_3(p.x() * (1 - 2 / ring), p.y() * (1 - 2 / ring), p.z()));
+  }
+  Options options;
+  options.use_normals = true;
+  const auto forms_with = [&](auto tag) {
+    Forms forms;
+    CGAL::estimate_point_monge_forms<decltype(tag)>(
+        points, automatic(), std::back_inserter(forms),
+        CGAL::parameters::point_map(CGAL::First_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>())
+            .normal_map(CGAL::Second_of_pair_property_map<std::pair<Kernel::Point_3, Kernel::Vector_3>>()),
+        options);
+    return forms;
+  };
+  const Forms expected = forms_with(CGAL::Sequential_tag());
+  for (std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    check_equal(number_of_differences(forms_with(CGAL::Parallel_tag()), expected), 0u,
+                "automatic() of points with " + text(threads) + " threads");
+  }
+}
+
 int main()
 {
   const Mesh mesh = spoiled(bezier(122));
@@ -165,6 +195,9 @@ int main()
   same_for_all_threads(mesh, within_radius(0.06), "within_radius");
   for (const bool faces_too : {false, true}) // put in order inside, in a way that depends on it
     same_for_all_threads(spoiled(scattered(torus(2, 1, 260, 200), faces_too).mesh), k_rings(3), "scattered");
+  const Mesh small = spoiled(torus(2, 1, 80, 40));
+  same_for_all_threads(small, automatic(), "automatic()");
+  automatic_points_for_all_threads(small);
   own_point_map(mesh);
   points_for_all_threads(mesh);
   progress(mesh);
