@@ -23,7 +23,7 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"), mesh)) return 1;
   auto forms = mesh.add_property_map<Mesh::Vertex_index, Monge_form>("v:monge_form").first;
-  const auto summary = CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2), forms);
+  const auto summary = CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::automatic(), forms);
   for (auto v : vertices(mesh))
     if (summary.status(v).is_estimated())
       std::cout << mesh.point(v) << ' ' << CGAL::Jet_fitting::mean_curvature(forms[v]) << '\n';

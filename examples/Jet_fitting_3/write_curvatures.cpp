@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
   const std::string input = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   if (!CGAL::IO::read_polygon_mesh(input, mesh)) return 1;
   auto forms = mesh.add_property_map<Vertex, Monge_form>("v:monge_form").first;
-  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2), forms);
+  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::automatic(), forms);
 
   auto quality = mesh.add_property_map<Vertex, double>("v:quality").first;
   auto colors = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
