@@ -182,14 +182,14 @@ private:
   // which is more where they are larger. That of the cloud if there are too few places.
   Noise noise_of_level(const Indices& sample, const std::vector<int>& levels, int level, double radius) const
   {
-    Indices of_level, places;
+    Indices of_level, some;
     for (std::size_t k = 0; k < sample.size(); ++k)
       if (levels[k] == level) of_level.push_back(sample[k]);
     if (of_level.size() < 10) return m_noise;
     for (const std::size_t k : spread_indices(of_level.size(), (of_level.size() - 1) / places_of_noise + 1))
-      places.push_back(of_level[k]);
-    const Density of_places{radius * scale_of_level(level), std::vector<int>(places.size(), 0)};
-    return estimate_noise(m_cloud, m_within, places, of_places);
+      some.push_back(of_level[k]);
+    const Density of_places{radius * scale_of_level(level), std::vector<int>(some.size(), 0)};
+    return estimate_noise(m_cloud, m_within, some, of_places);
   }
 
   // The middle one by area, of which a place has more where points are less dense. The place itself has no say: it may
