@@ -9,7 +9,6 @@
 
 #include <CGAL/Jet_fitting_3/extract_ridges.h>
 #include <CGAL/Jet_fitting_3/extract_umbilics.h>
-#include <CGAL/Jet_fitting_3/ridges.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>

@@ -211,6 +211,10 @@ void views()
   mesh.add_face(a, b, c);
   check_throws<CGAL::Jet_fitting::Invalid_input>([&] { CGAL::Jet_fitting::extract_ridges(mesh, maps); },
                                                  {"another mesh"}, "vertices that the maps do not know");
+  Surface_mesh smaller;
+  build(jittered_square(10), smaller);
+  check_throws<CGAL::Jet_fitting::Invalid_input>([&] { CGAL::Jet_fitting::extract_ridges(smaller, maps); },
+                                                 {"another mesh"}, "maps of a mesh with more vertices");
 }
 
 // Impossible degrees are refused with their number, before anything is derived from them.

@@ -10,6 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/ridges/Ridge_property_maps.h>
 #include <CGAL/Jet_fitting_3/ridges/internal/Ridge_table.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -24,10 +25,6 @@
 
 namespace CGAL {
 namespace Jet_fitting {
-
-template <class Mesh, class ConcurrencyTag>
-class Ridge_property_maps;
-
 namespace internal {
 
 using Ridge_triangle = std::array<Index, 3>;
@@ -95,12 +92,17 @@ std::shared_ptr<const Ridge_table<Mesh>> ridge_table(const Mesh& mesh, const Map
   return table;
 }
 
+[[noreturn]] inline void throw_of_another_mesh()
+{
+  throw Invalid_input("the ridge property maps are those of another mesh");
+}
+
 /// The number of a vertex. \throw Invalid_input if it is not one of those of the table
 template <class Mesh, class Vertex>
 Index number_in(const Ridge_table<Mesh>& table, const Vertex& v)
 {
   const Index i = table.number(v);
-  if (i >= table.values.size()) throw Invalid_input("the ridge property maps are those of another mesh");
+  if (i >= table.values.size()) throw_of_another_mesh();
   return i;
 }
 
@@ -135,11 +137,14 @@ Ridge_field ridge_field(const Mesh& mesh, const std::shared_ptr<const Ridge_tabl
                     std::vector<Real_vector>(size),
                     ridge_triangles(mesh, *table),
                     std::vector<bool>(size)};
+  std::size_t count = 0;
   for (const auto& v : make_range(vertices(mesh))) {
     const Index i = number_in(*table, v);
     field.points[i] = to_real(get(point_map, v));
     field.is_finite[i] = is_finite(field.points[i]) && is_finite(field[i].max) && is_finite(field[i].min);
+    ++count;
   }
+  if (count < size) throw_of_another_mesh();
   return field;
 }
 
