@@ -170,5 +170,7 @@ int main()
     check_throws<Invalid_input>([&] { form.set_up(degree); }, {"34", text(degree)}, "a form of degree " + text(degree));
   check_throws<std::out_of_range>([&] { form.dump_4ogl(out, 1.); }, {"1"}, "dump_4ogl of a form of degree 1");
   check_equal(out.str(), "", "dump_4ogl of a form of degree 1 writes nothing");
+  const decltype(form) empty{};
+  check_throws<std::out_of_range>([&] { empty.principal_curvatures(0); }, {"0", "empty"}, "k1 of an empty form");
   return result();
 }

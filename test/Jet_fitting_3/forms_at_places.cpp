@@ -168,6 +168,10 @@ void what_is_no_location()
   build(torus(3, 1, 30, 20, true), quadrangles);
   Vertex_estimator of_quadrangles(quadrangles, k_rings(2));
   check_throws<Invalid_input>([&] { of_quadrangles(Location{face, {1, 0, 0}}); }, {"triangle"}, "a quadrangle");
+  const Mesh::Vertex_index a = mesh.add_vertex(Point_3(5, 0, 0)), b = mesh.add_vertex(Point_3(6, 0, 0)),
+                           c = mesh.add_vertex(Point_3(5, 1, 0));
+  const Mesh::Face_index later = mesh.add_face(a, b, c);
+  check_throws<Invalid_input>([&] { estimate(Location{later, {1, 0, 0}}); }, {"does not belong"}, "a face of later on");
   std::vector<Form> none;
   check_equal(estimate.estimate_at(std::vector<Location>(), std::back_inserter(none)).estimated, std::size_t(0),
               "none");

@@ -171,7 +171,7 @@ private:
   {
     if (i >= count || first + count > m_derivatives.size())
       throw std::out_of_range("Monge_form has no " + std::string(name) + ' ' + std::to_string(i) + ": its degree is " +
-                              std::to_string(degree()));
+                              std::to_string(degree()) + (m_derivatives.empty() ? ", or it is empty" : ""));
     return m_derivatives[first + i];
   }
 

@@ -26,6 +26,7 @@
 
 #include <boost/range/irange.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -70,7 +71,7 @@ public:
   using Result = Form_and_status<Kernel>;     ///< what is known at one place
 
   /// A face and barycentric coordinates, as Polygon_mesh_processing has them: of source and target of halfedge(f,
-  /// mesh), and of the third corner.
+  /// mesh), and of the third corner. They are meant to add up to 1: the first is taken for what the others leave.
   using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
 
   /// Makes the tables.
@@ -104,8 +105,8 @@ public:
   ///
   /// The status is that of the fit, or Status_flag::beside_samples if no point of the jet over the samples is closest
   /// to the place; Status_flag::not_finite if a barycentric coordinate is not finite.
-  /// \throw Invalid_input if the face is not a triangle of the mesh, or options.standard_errors is set, since they are
-  ///        those of another place
+  /// \throw Invalid_input if the face is not a triangle with vertices of the mesh, or options.standard_errors is set,
+  ///        since they are those of another place
   Result operator()(const Face_location& location) { return m_one_row(tables(), rows_at(&location, &location + 1)); }
 
   /// At a range of vertices, as estimate_vertex_monge_forms(vertices, mesh, ...) does.
@@ -197,6 +198,8 @@ private:
       const Face_location& location = *begin;
       const auto corners = internal::corners_of_triangle(location.first, m_prepared->mesh);
       const std::array<internal::Index, 3> numbers{number(corners[0]), number(corners[1]), number(corners[2])};
+      if (std::count(numbers.begin(), numbers.end(), internal::no_index) > 0)
+        throw Invalid_input("the face does not belong to the mesh, or no longer");
       const auto& points = tables().points;
       const std::array<Point_3, 3> triangle{points[numbers[0]], points[numbers[1]], points[numbers[2]]};
       places.push_back(internal::place_in_triangle<Kernel>(triangle, location.second));
