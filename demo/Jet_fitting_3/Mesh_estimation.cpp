@@ -179,10 +179,15 @@ void check_estimated(const Estimates& estimates, const Arguments& a)
 // Signs of curvatures are arbitrary where points come without normals: \return what was done about it
 std::string orient(Results& r, const Arguments& a)
 {
-  const std::string no_normals = "the points have no normals: ";
-  if (!a.orients_points) return no_normals + "the signs of k1, k2 and H are arbitrary from point to point";
-  const std::size_t oriented = orient_points(r.mesh, r.estimates.forms);
-  std::string text = no_normals + "they were oriented like their neighbors, upwards at the top (--flip turns all over)";
+  const std::size_t without = number_without_normal(r.mesh), all_points = r.mesh.number_of_vertices();
+  const std::string no_normals = without == all_points
+                                     ? "the points have no normals: "
+                                     : std::to_string(without) + " of " + std::to_string(all_points) +
+                                           " points have no normal, and those of the others orient but are not data: ";
+  if (!a.orients_points) return no_normals + "their signs of k1, k2 and H are arbitrary from point to point";
+  const std::size_t oriented = orient_points(r.mesh, r.estimates.forms, a.flips);
+  std::string text = no_normals + "they were oriented like their neighbors";
+  if (without == all_points) text += ", upwards at the top (--flip turns all over)";
   if (const std::size_t all = r.estimates.count(CGAL::Jet_fitting::Status_flag::estimated); oriented < all)
     text +=
         "; " + std::to_string(all - oriented) + " points were not reached, their signs of k1, k2 and H are arbitrary";
@@ -209,7 +214,7 @@ bool read_surface(Results& r, Arguments& a, Summary_table& table)
 void read_context(Results& r, const Arguments& a, bool has_normals)
 {
   if (!has_normals && a.orients_points)
-    throw Usage_error("--context: the points of " + a.input +
+    throw Usage_error("--context: points of " + a.input +
                       " have no normals, and are not oriented tile by tile; --no-orient leaves them as they are");
   Read_context read = read_context(r.mesh, a);
   r.context = std::move(read.points);
@@ -294,6 +299,8 @@ int main(int argc, char* argv[])
   } catch (const tool::Usage_error& e) {
     return fail(2, e);
   } catch (const tool::Input_error& e) {
+    return fail(2, e);
+  } catch (const CGAL::Jet_fitting::Invalid_input& e) {
     return fail(2, e);
   } catch (const tool::Interrupted& e) {
     return fail(e.exit_code(), e);

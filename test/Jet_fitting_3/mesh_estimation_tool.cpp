@@ -32,6 +32,8 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -222,7 +224,9 @@ void check_ridges()
   test::check_equal(made.exit_code, 0, "exit code with ridges: " + made.err);
   test::check_equal(made.out, std::string(), "nothing is printed with -q");
   test::check_true(contents("r.obj").find("\nl ") != std::string::npos, "ridge lines of a stretched torus");
-  test::check_equal(run("torus.off --ridges all --ridges-output none.obj -a 3 -q").exit_code, 0, "a round torus");
+  const Run round = run("torus.off --ridges all --ridges-output none.obj -a 3");
+  test::check_equal(round.exit_code, 0, "a round torus");
+  test::check_true(round.out.find("no ridges\nno umbilics\n") != std::string::npos, "it says none: " + round.out);
   test::check_true(contents("none.obj").find("\nl ") == std::string::npos, "a round torus has no ridges");
   test::check_equal(run("torus.off --ridges-output r.ply").exit_code, 2, "ridge output without ridges");
   test::check_equal(run("quads.off --ridges all").exit_code, 2, "ridges of a mesh of quads");
@@ -235,14 +239,38 @@ void check_says(const std::string& arguments, const std::string& words)
   test::check_true(made.out.find(words) != std::string::npos, arguments + " says '" + words + "': " + made.out);
 }
 
-// Points without normals are oriented alike: the sign of k2, negative everywhere on the torus with normals outwards.
-void check_orientation_of_points()
+// Points without normals are oriented alike: the sign of the curvature across the circle, everywhere on the torus. It
+// is k2, and negative, with normals outwards; k1 with normals inwards.
+void check_orientation_of_points(const std::string& file, const std::string& curvature, int sign)
 {
-  Mesh mesh = read_ply("points.ply");
-  const auto k2 = property<float>(mesh, "k2");
-  std::size_t negative = 0;
-  for (Vertex v : mesh.vertices()) negative += k2[v] < 0;
-  test::check_equal(negative, std::size_t(around * across), "points where k2 is negative");
+  Mesh mesh = read_ply(file);
+  const auto k = property<float>(mesh, curvature);
+  std::size_t count = 0;
+  for (Vertex v : mesh.vertices()) count += float(sign) * k[v] > 0;
+  test::check_equal(count, std::size_t(around * across), file + ": points where " + curvature + " has its sign");
+}
+
+// As if the file had no normals, but for the sides: what is given says which side is outside.
+void check_some_normals(const std::string& points)
+{
+  std::istringstream in(points);
+  std::string some, line;
+  for (int i = 0; std::getline(in, line); ++i) {
+    double x, y, z;
+    std::istringstream(line) >> x >> y >> z;
+    const double distance = std::hypot(x, y), cosine = 2 - distance; // inwards
+    std::ostringstream normal;
+    normal << ' ' << cosine * x / distance << ' ' << cosine * y / distance << ' ' << -z;
+    some += line + (i < around * across / 2 ? normal.str() : "") + '\n';
+  }
+  write("some.xyz", some);
+  const Run made = run("some.xyz -o some.ply");
+  test::check_equal(made.exit_code, 0, "a point set with some normals: " + made.err);
+  test::check_true(made.out.find(
+                       "1200 of 2400 points have no normal, and those of the others orient but are not data") !=
+                       std::string::npos,
+                   "how many have none: " + made.out);
+  check_orientation_of_points("some.ply", "k1", 1);
 }
 
 void check_points()
@@ -260,7 +288,11 @@ void check_points()
                    "what was done without normals: " + made.out);
   test::check_true(contents("points.ply").find("comment the points have no normals") != std::string::npos,
                    "and the file says so");
-  check_orientation_of_points();
+  check_orientation_of_points("points.ply", "k2", -1);
+  test::check_equal(run("points.xyz -p 20 --flip -q -o points.ply").exit_code, 0, "a point set inside out");
+  check_orientation_of_points("points.ply", "k1", 1);
+  test::check_equal(run("points.xyz -p 20 -q -o points.ply").exit_code, 0, "a point set once more");
+  check_some_normals(points);
   test::check_true(contents("points.ply").find("element vertex 2400") != std::string::npos, "all points are written");
   write("points.xyz", points + "1 2");
   test::check_equal(run("points.xyz -o cut.ply").exit_code, 2, "a point set that is cut short");
@@ -268,6 +300,14 @@ void check_points()
   const Run refused = run("points.xyz -o cut.ply");
   test::check_equal(refused.exit_code, 2, "a point set with a word");
   test::check_true(refused.err.find("line 2401") != std::string::npos, "the line is named: " + refused.err);
+  for (const auto& [text, words] : {std::pair("0 0 0\n1 nan 0\n", "line 2: 'nan' is no finite number"),
+                                    {"0 0 0\n\n1 0 -inf\n", "line 3: '-inf' is no finite number"},
+                                    {"0 0 0 7\n1 0 0 7\n", "line 1: 4 numbers"}}) {
+    write("odd.xyz", text);
+    const Run odd = run("odd.xyz -o odd.ply");
+    test::check_equal(odd.exit_code, 2, "exit code for these points: " + std::string(text));
+    test::check_true(odd.err.find(words) != std::string::npos, "it says '" + std::string(words) + "': " + odd.err);
+  }
   write("points.xyz", points);
   test::check_equal(run("points.xyz -a 3").exit_code, 2, "rings of points");
   test::check_equal(run("points.xyz --sharp-angle 30").exit_code, 2, "sharp edges of points");
@@ -530,6 +570,14 @@ void check_bad_input()
   write("mesh.unknown", whole);
   write("plane_in_4d.off", "4nOFF\n4\n3 1 0\n0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 1\n3 0 1 2\n");
   write("binary.off", std::string("OFF BINARY\n\0\0\0", 14));
+  write("nan.off", "OFF\n3 1 0\n0 0 0 # a point\n1 nan 0\n0 1 0\n3 0 1 2\n");
+  write("negative.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n");
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                          "property float z\nelement face 1\nproperty list uchar ";
+  write("nan.ply", ply + "int vertex_indices\nend_header\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n");
+  write("negative.ply", ply + "int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n");
+  write("short.ply", ply + "short vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write("twice.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n4 1 3 3 2\n3 2 2 1\n4 0 1 0 2\n");
   check_same_mesh();
   check_refused("plane_in_4d.off", "three coordinates");
   check_refused("binary.off", "binary");
@@ -539,12 +587,56 @@ void check_bad_input()
   check_refused("nothing.off", "no vertices");
   check_refused("words.stl", "no faces");
   check_refused("words.ply", "malformed");
+  check_refused("nan.off", "line 4: 'nan' is no finite number");
+  check_refused("negative.off", "line 6: '-1' is no whole number from 0 on");
+  check_refused("nan.ply", "'vertex': 'nan' is no finite number");
+  check_refused("negative.ply", "face 0 refers to vertex -1 of 3");
+  check_refused("short.ply", "of int or uint");
+  check_mended("twice.off", "2 faces without three corners, or with one corner twice, were left out");
+  check_mended("twice.off", "4 vertices, 2 faces");
   check_mended("fan.off", "between vertices 0 and 1 belongs to 3 faces");
   check_mended("twisted.off", "not oriented");
   check_mended("butterfly.off", "several fans of faces meet in vertex 0");
   check_refused("index.off", "face 0 refers to vertex 7 of 3");
   check_refused("mesh.unknown", "unknown format");
   check_refused("missing.off", "no such file");
+}
+
+// A torus each triangle of which has vertices of its own, and one with a vertex that no face has.
+void check_connections()
+{
+  std::istringstream in(torus());
+  std::string header, points, faces, line;
+  std::getline(in, header);
+  std::getline(in, header);
+  std::vector<std::string> lines;
+  for (int i = 0; i < around * across && std::getline(in, line); ++i) lines.push_back(line + '\n');
+  int corner = 0;
+  for (std::size_t three, a, b, c; in >> three >> a >> b >> c; corner += 3) {
+    points += lines[a] + lines[b] + lines[c];
+    faces += "3 " + std::to_string(corner) + ' ' + std::to_string(corner + 1) + ' ' + std::to_string(corner + 2) + '\n';
+  }
+  write("soup.off", "OFF\n" + std::to_string(corner) + ' ' + std::to_string(corner / 3) + " 0\n" + points + faces);
+  const Run welded = run("soup.off -d 2 -o soup.ply");
+  test::check_equal(welded.exit_code, 0, "a soup of triangles: " + welded.err);
+  for (const char* words :
+       {"the 14400 vertices of the file were joined to 2400", "4800 faces, closed", "2400 estimated, 0 left out"})
+    test::check_true(welded.out.find(words) != std::string::npos, std::string("soup: ") + words + ": " + welded.out);
+
+  std::string isolated = torus();
+  isolated.replace(isolated.find("2400"), 4, "2401");
+  isolated.insert(isolated.find("3 0 40 "), "9 9 9\n");
+  write("isolated.off", isolated);
+  const Run made = run("isolated.off -o isolated.ply");
+  test::check_equal(made.exit_code, 0, "an isolated vertex: " + made.err);
+  test::check_true(made.out.find("1 of 2401 isolated") != std::string::npos, "is counted: " + made.out);
+  for (const char* words : {"have too few neighbors for a choice", "too few points"})
+    test::check_true(made.out.find(words) == std::string::npos, std::string("not said: ") + words + ": " + made.out);
+
+  const Run lowered = run("torus.off -d 5 -a 1 --lower-degree -o lowered.ply");
+  test::check_equal(lowered.exit_code, 0, "a lower degree: " + lowered.err);
+  test::check_true(lowered.out.find("2400 of 2400 degree lowered") != std::string::npos, "is told: " + lowered.out);
+  test::check_true(lowered.out.find("too few points") == std::string::npos, "and once: " + lowered.out);
 }
 
 // Small files that claim to have lists of two billion numbers, with less memory than these would take.
@@ -579,6 +671,9 @@ void check_bad_arguments()
                                 "torus.off --view 0,0,1 --up z",
                                 "torus.off --up 0,0,0",
                                 "torus.off --sharp-angle blunt",
+                                "torus.off --sharp-angle 0",
+                                "torus.off -d 40",
+                                "torus.off -a 2 -p 10",
                                 "",
                                 " torus.off -o same.ply same.ply",
                                 "torus.off -o same.ply --directions ./same.ply",
@@ -624,6 +719,7 @@ int main(int argc, char* argv[])
   check_inside_out();
   check_ridges();
   check_points();
+  check_connections();
   check_bad_input();
   check_claims();
   check_bad_arguments();

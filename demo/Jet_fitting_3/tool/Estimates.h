@@ -34,9 +34,13 @@ struct Estimates
 
   std::size_t size() const { return forms.size(); }
 
+  // Too few points, where another flag says more: no neighbor at all, or what was done about it.
   std::size_t count(CGAL::Jet_fitting::Status_flag flag) const
   {
-    return std::size_t(std::count_if(statuses.begin(), statuses.end(), [flag](auto s) { return s.has(flag); }));
+    using Flag = CGAL::Jet_fitting::Status_flag;
+    return std::size_t(std::count_if(statuses.begin(), statuses.end(), [flag](auto s) {
+      return s.has(flag) && !(flag == Flag::too_few_points && (s.has(Flag::isolated) || s.has(Flag::degree_lowered)));
+    }));
   }
 };
 

@@ -36,7 +36,7 @@ inline const char* advice(CGAL::Jet_fitting::Status_flag flag)
   case Flag::not_finite: return "infinite or undefined coordinates: left out";
   case Flag::too_few_points: return "too few neighbors for the degree: more of them (-a, -p, -r), or --lower-degree";
   case Flag::rank_deficient: return "neighbors coincide, or lie on a curve: more of them (-a, -p, -r), or a smaller -d";
-  case Flag::degree_lowered: return "fitted with a lower degree";
+  case Flag::degree_lowered: return "too few neighbors for the degree: fitted with a lower one";
   case Flag::one_sided: return "neighbors mostly on one side, as at a border: errors are larger there";
   case Flag::near_umbilic: return "flat or round places, where d1 and d2 mean little; k1 and k2 are good";
   case Flag::pca_ambiguous:
@@ -120,7 +120,7 @@ public:
 
   void add_ridges(const Ridges_and_umbilics& found)
   {
-    m_out << "\nridges                 lines       length\n";
+    m_out << (found.lines.empty() ? "\nno ridges\n" : "\nridges                 lines       length\n");
     for (const Line_style& style : ridge_styles()) {
       std::size_t count = 0;
       double sum = 0;
@@ -136,9 +136,11 @@ public:
                            [type](const auto& umbilic) { return umbilic.type == type; });
     };
     using CGAL::Jet_fitting::Umbilic_type;
-    m_out << found.umbilics.size() << " umbilics: " << count(Umbilic_type::lemon) << " lemons, "
-          << count(Umbilic_type::monstar) << " monstars, " << count(Umbilic_type::star) << " stars, "
-          << count(Umbilic_type::non_generic) << " of no generic type\n";
+    if (found.umbilics.empty()) m_out << "no umbilics\n";
+    else
+      m_out << found.umbilics.size() << " umbilics: " << count(Umbilic_type::lemon) << " lemons, "
+            << count(Umbilic_type::monstar) << " monstars, " << count(Umbilic_type::star) << " stars, "
+            << count(Umbilic_type::non_generic) << " of no generic type\n";
   }
 
   void add_files(const std::vector<std::string>& names)

@@ -11,6 +11,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,7 +34,7 @@ using Vertex = Mesh::Vertex_index;
 struct Input
 {
   Mesh mesh;
-  bool has_normals = false;         // at points
+  bool has_normals = false;         // at all points
   std::vector<std::string> remarks; // sentences about what is odd in it, or was mended
 };
 
@@ -50,6 +53,20 @@ template <class Map>
 Map map_in(const std::optional<Map>& found)
 {
   return *found;
+}
+
+// Whether it is neither zero nor undefined.
+inline bool is_direction(const Vector& v)
+{
+  const double square = v.squared_length();
+  return square > 0 && std::isfinite(square);
+}
+
+inline std::size_t number_without_normal(const Mesh& points)
+{
+  const auto normals = map_in(points.property_map<Vertex, Vector>(normals_of_points));
+  return std::size_t(std::count_if(points.vertices().begin(), points.vertices().end(),
+                                   [&](Vertex v) { return !is_direction(normals[v]); }));
 }
 
 } // namespace tool

@@ -9,6 +9,7 @@
 
 #include "Input_error.h"
 #include "extension.h"
+#include "finite_number.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ namespace tool {
 
 struct Ply_property
 {
-  std::string type, count_type; // the latter of lists only
+  std::string name, type, count_type; // the latter of lists only
 };
 
 struct Ply_element
@@ -70,13 +71,20 @@ public:
     return true;
   }
 
+  // The word of a text that was refused as a number, if any was.
+  const std::string& refused() const { return m_refused; }
+
 private:
   // So many numbers of this size, or of any size in a text.
   bool skip(std::size_t count, std::size_t size)
   {
     if (!m_is_text) return m_in.ignore(std::streamsize(count * size)).gcount() == std::streamsize(count * size);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       if (!(m_in >> m_word)) return false;
+      if (is_finite_number(m_word)) continue;
+      m_refused = m_word;
+      return false;
+    }
     return true;
   }
 
@@ -99,12 +107,12 @@ private:
 
   std::istream& m_in;
   bool m_is_text, m_is_big_endian;
-  std::string m_word;
+  std::string m_word, m_refused;
 };
 
 // Properties belong to an element, the coordinates of a vertex, and those of its normal, are of one floating type,
-// names are unique, and there is as much of each element as the header says. \throw Input_error
-inline void check_ply(const std::string& file)
+// names are unique, and there is as much of each element as the header says. \return the header \throw Input_error
+inline std::vector<Ply_element> check_ply(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
   std::string format;
@@ -133,6 +141,7 @@ inline void check_ply(const std::string& file)
       property.count_type = name;
       words >> type >> name;
     }
+    property.name = name;
     property.type = type;
     elements.back().properties.push_back(property);
     if (!names.insert(name).second)
@@ -151,7 +160,23 @@ inline void check_ply(const std::string& file)
   Ply_body body(in, format);
   for (const Ply_element& e : elements)
     if (!body.holds(e))
-      throw Input_error(file, "cut short or malformed: not as many elements '" + e.name + "' as it says");
+      throw Input_error(file, body.refused().empty()
+                                  ? "cut short or malformed: not as many elements '" + e.name + "' as it says"
+                                  : "an element '" + e.name + "': " + no_finite_number(body.refused()));
+  return elements;
+}
+
+// Of faces, CGAL's reader takes no other lists of corners. \throw Input_error
+inline void check_corners(const std::string& file, const std::vector<Ply_element>& elements)
+{
+  const auto are_corners = [](const Ply_property& p) {
+    return is_one_of(p.name, {"vertex_indices", "vertex_index"}) && !p.count_type.empty() &&
+           is_one_of(p.type, {"int", "int32", "uint", "uint32"});
+  };
+  for (const Ply_element& e : elements)
+    if (is_one_of(e.name, {"face", "faces"}) && std::none_of(e.properties.begin(), e.properties.end(), are_corners))
+      throw Input_error(file, "the corners of its faces are not a list 'vertex_indices' or 'vertex_index' of int or "
+                              "uint, and others are not read");
 }
 
 } // namespace tool

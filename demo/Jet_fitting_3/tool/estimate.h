@@ -14,6 +14,7 @@
 #include "on_this_processor.h"
 #include "sharp_edges.h"
 
+#include <CGAL/Jet_fitting_3/scale/Moments.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/estimate_side_monge_forms.h>
 
@@ -63,7 +64,7 @@ template <class Neighborhood>
 std::size_t highest_degree(const Arguments& a)
 {
   const bool is_chosen = std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value;
-  return is_chosen ? (std::max)(a.degree_monge, std::size_t(6)) : a.degree_jet;
+  return is_chosen ? (std::max)(a.degree_monge, CGAL::Jet_fitting::averaging::highest_degree) : a.degree_jet;
 }
 
 // One call with all named parameters, whether they have an effect or not: compiling a second one takes long.

@@ -40,6 +40,13 @@ inline double expected_error(const Estimates& estimates)
   return *middle;
 }
 
+inline std::string error_in_words(double error)
+{
+  std::ostringstream text;
+  text << error;
+  return std::isfinite(error) ? text.str() : "unknown";
+}
+
 // Radius and degree by the data. Normals of the file are data as well where that makes the expected errors smaller:
 // both is tried. The arguments and remarks are told what was done.
 inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_sharp, bool has_normals, Arguments& a,
@@ -58,7 +65,8 @@ inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_s
   a.options.use_normals = error_with < error;
   std::ostringstream text;
   text << "normals of the file are " << (a.options.use_normals ? "data" : "not data, they only orient")
-       << ": the middle expected error of curvatures is " << error_with << " with them, " << error << " without";
+       << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them, "
+       << error_in_words(error) << " without";
   remarks.push_back(text.str());
   return a.options.use_normals ? with_normals : estimates;
 }
@@ -91,8 +99,9 @@ inline Estimates estimate(const Mesh& mesh, const Edge_marks& is_sharp, const Co
       Estimates estimates = estimate_automatically(mesh, is_sharp, has_normals, a, remarks, show);
       if (estimates.count(CGAL::Jet_fitting::Status_flag::estimated) == estimates.size()) return estimates;
       const std::size_t count = fill_up(estimates, estimate_fixed([](double) {}));
-      remarks.push_back(std::to_string(count) + (a.of_points ? " points" : " vertices") +
-                        " have too few neighbors for a choice from the data; there it is the fixed one");
+      if (count > 0)
+        remarks.push_back(std::to_string(count) + (a.of_points ? " points" : " vertices") +
+                          " have too few neighbors for a choice from the data; there it is the fixed one");
       return estimates;
     } catch (const CGAL::Jet_fitting::Invalid_input&) { // as in many CAD parts
       why_not = "too few of them, or with too few neighbors, to tell the noise";

@@ -7,10 +7,12 @@
 #ifndef CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H
 #define CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H
 
+#include "Box.h"
 #include "Surface.h"
 #include "why_not_a_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +20,40 @@
 #include <vector>
 
 namespace tool {
+
+// Many exporters give each face vertices of its own, among which no fit would find neighbors: those that coincide
+// become one. It is done where vertices have fewer than two corners of faces each; in meshes they have four or six.
+// \return what was done
+inline std::string weld(std::vector<Point>& points, std::vector<Corners>& faces)
+{
+  std::size_t corners = 0;
+  for (const Corners& face : faces) corners += face.size();
+  const std::size_t before = points.size();
+  if (corners == 0 || corners >= 2 * before || !std::all_of(points.begin(), points.end(), is_finite)) return "";
+  if (CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces) == 0) return "";
+  return "most faces had vertices of their own: the " + std::to_string(before) +
+         " vertices of the file were joined to " + std::to_string(points.size()) + " where they coincide";
+}
+
+// Corners that are the same as the one before become one; then faces without three different corners, or with one
+// twice, are no faces. \return what was done
+inline std::string leave_out_degenerate(std::vector<Corners>& faces)
+{
+  for (Corners& face : faces) {
+    face.erase(std::unique(face.begin(), face.end()), face.end());
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+  }
+  const auto is_degenerate = [](const Corners& face) {
+    for (auto a = face.begin(); a != face.end(); ++a)
+      if (std::find(face.begin(), a, *a) != a) return true;
+    return face.size() < 3;
+  };
+  const auto end = std::remove_if(faces.begin(), faces.end(), is_degenerate);
+  const auto count = faces.end() - end;
+  faces.erase(end, faces.end());
+  if (count == 0) return "";
+  return std::to_string(count) + " faces without three corners, or with one corner twice, were left out";
+}
 
 // Six times the volume that the faces enclose with the origin, a fan of triangles for each; of a closed surface with
 // its faces oriented outwards, positive.

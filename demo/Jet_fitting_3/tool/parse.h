@@ -132,9 +132,7 @@ public:
         "up to " +
         std::to_string(most_vertices_for_automatic) + " vertices or " + std::to_string(most_points_for_automatic) +
         " points with forms of degree 2: that takes up to .3 ms a vertex, 1 ms a point. Otherwise the fixed choice is "
-        "made, which takes "
-        "microseconds: "
-        "degree 2, or m, or 4 for ridges. -d 2 asks for it";
+        "made, which takes microseconds: degree 2, or m, or 4 for ridges. -d 2 asks for it";
     // clang-format off
     general.add_options()
       ("help,h", "this page")
@@ -318,6 +316,7 @@ private:
       a.points = positive<int>(given, "nb-points");
     a.radius = positive<double>(given, "radius");
     if (a.rings && *a.rings < 0) throw Usage_error("--nb-rings must not be negative");
+    if (a.points && a.rings.value_or(0) > 0) throw Usage_error("--nb-points does not go with --nb-rings");
     if (a.radius && (a.points || a.rings.value_or(0) > 0))
       throw Usage_error("--radius goes neither with --nb-points nor with --nb-rings");
     const std::size_t least = CGAL::Jet_fitting::number_of_jet_coefficients(a.degree_jet);
@@ -363,7 +362,7 @@ private:
     char* end = nullptr;
     a.sharp_angle = word == "auto" ? otherwise : std::strtod(word.c_str(), &end);
     if ((end != nullptr && (end == word.c_str() || *end != 0)) || !(*a.sharp_angle > 0 && *a.sharp_angle <= 180))
-      throw Usage_error("--sharp-angle " + word + ": it takes an angle in degrees, up to 180, or auto");
+      throw Usage_error("--sharp-angle " + word + ": it takes an angle in degrees, above 0 and up to 180, or auto");
   }
 
   static void set_output(const po::variables_map& given, Arguments& a)

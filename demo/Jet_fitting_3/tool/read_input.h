@@ -9,6 +9,7 @@
 
 #include "Surface.h"
 #include "extension.h"
+#include "finite_number.h"
 #include "mend_soup.h"
 #include "ply_stream.h"
 #include "stl_stream.h"
@@ -29,7 +30,6 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #endif
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -67,26 +67,26 @@ private:
   std::streambuf* m_buffer;
 };
 
-// As CGAL's readers of XYZ and PWN files do not tell a line that is none from the end: numbers only, at least three of
-// them in a line, or one in the first, the number of points of a PWN file.
+// As CGAL's readers of XYZ and PWN files do not tell a line that is none from the end: finite numbers only, three of
+// them in a line, or six with the normal and more, or one in the first, the number of points of a PWN file.
 inline void check_lines_of_points(const std::string& file)
 {
   std::ifstream in(file, std::ios::binary);
   std::size_t number = 0;
   bool is_first = true;
+  const auto refuse = [&](const std::string& why) {
+    throw Input_error(file, "line " + std::to_string(number) + ": " + why);
+  };
   for (std::string line; std::getline(in, line);) {
     ++number;
     std::istringstream words(line);
     std::string word;
     std::size_t count = 0;
-    for (; words >> word && word[0] != '#'; ++count) {
-      char* end = nullptr;
-      std::strtod(word.c_str(), &end);
-      if (*end != 0) throw Input_error(file, "line " + std::to_string(number) + ": '" + word + "' is no number");
-    }
+    for (; words >> word && word[0] != '#'; ++count)
+      if (!is_finite_number(word)) refuse(no_finite_number(word));
     if (count == 0) continue;
-    if (count < 3 && !(count == 1 && is_first))
-      throw Input_error(file, "line " + std::to_string(number) + ": fewer than three coordinates");
+    if (count < 3 && !(count == 1 && is_first)) refuse("fewer than three coordinates");
+    if (count == 4 || count == 5) refuse(std::to_string(count) + " numbers; a point has 3, and with its normal 6");
     is_first = false;
   }
 }
@@ -106,8 +106,8 @@ inline Input read_point_set(const std::string& file)
   if (points.has_normal_map()) {
     auto v = mesh.vertices_begin();
     for (auto i : points) normals[*v++] = points.normal(i);
-    for (Vertex u : mesh.vertices()) input.has_normals = input.has_normals || normals[u] != CGAL::NULL_VECTOR;
   }
+  input.has_normals = number_without_normal(mesh) == 0;
   return input;
 }
 
@@ -130,6 +130,8 @@ inline Input read_mesh(const std::string& file)
   Input input;
   const std::string why_no_faces = why_not_faces(points.size(), faces);
   if (!why_no_faces.empty()) throw Input_error(file, why_no_faces);
+  for (const std::string& done : {weld(points, faces), leave_out_degenerate(faces)})
+    if (!done.empty()) input.remarks.push_back(done);
   std::string why_not = why_not_a_mesh(points.size(), faces);
   if (!why_not.empty()) {
     input.remarks.push_back(mend_soup(points, faces, why_not));
@@ -159,10 +161,13 @@ try {
   Input input;
   Mesh& mesh = input.mesh;
   if (is_one_of(format, {"off", "obj", "ply", "stl", "ts"})) {
-    if (format == "ply") check_ply(file);
+    if (format == "ply") check_corners(file, check_ply(file));
     input = read_mesh(file);
-    if (is_point_set(mesh) && is_one_of(format, {"off", "ply"})) input = read_point_set(file);
-    else if (is_point_set(mesh)) throw Input_error(file, "the mesh has no faces");
+    if (is_point_set(mesh) && is_one_of(format, {"off", "ply"})) {
+      const std::vector<std::string> remarks = input.remarks;
+      input = read_point_set(file);
+      input.remarks = remarks;
+    } else if (is_point_set(mesh)) throw Input_error(file, "the mesh has no faces");
   } else if (is_one_of(format, {"xyz", "pwn"})) {
     input = read_point_set(file);
   } else if (format == "las") {

@@ -21,6 +21,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace tool {
@@ -29,7 +30,8 @@ namespace tool {
 class Numbers
 {
 public:
-  explicit Numbers(const std::string& text) : m_at(text.data()), m_end(text.data() + text.size()) {}
+  explicit Numbers(const std::string& text) : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size())
+  {}
 
   // At the start of the next line, or at the next number, that there is. \return whether there is any
   bool skip_to_content()
@@ -59,13 +61,28 @@ public:
     return {begin, m_at};
   }
 
-  // Of this line.
+  // Of this line. If there is none, the reader stays where it is.
   template <class Number>
   bool read(Number& number)
   {
     if (ends_line()) return false;
+    const char* const begin = m_at;
     if (*m_at == '+' && m_at + 1 != m_end && m_at[1] != '-') ++m_at;
-    return convert(number) && (m_at == m_end || is_blank(*m_at) || *m_at == '\n' || *m_at == '#');
+    if (convert(number) && std::isfinite(double(number)) &&
+        (m_at == m_end || is_blank(*m_at) || *m_at == '\n' || *m_at == '#'))
+      return true;
+    m_at = begin;
+    m_due = std::is_same<Number, double>::value ? "finite number" : "whole number from 0 on";
+    return false;
+  }
+
+  // The word that was refused as a number, if any was, and its line. The last one may have been cut short.
+  std::string refused()
+  {
+    const auto line = 1 + std::count(m_begin, m_at, '\n');
+    const std::string word = read_word();
+    if (m_due == nullptr || m_at == m_end) return "";
+    return "line " + std::to_string(line) + ": '" + word + "' is no " + m_due;
   }
 
 private:
@@ -90,7 +107,7 @@ private:
   }
 #endif
 
-  const char *m_at, *m_end;
+  const char *m_begin, *m_at, *m_end, *m_due = nullptr; // the last: what a number should have been that was refused
 };
 
 // What the keyword of an OFF file says: [ST][C][N][4][n]OFF. What ST, C and N announce follows the coordinates.
@@ -146,14 +163,14 @@ bool read_faces(Numbers& numbers, std::size_t count, std::size_t most, std::vect
 
 // The points and faces of an OFF file. Lines is true: each has a line of its own, on which normals, texture coordinates
 // and colors may follow; false: numbers follow one another, however they are spread over lines. No memory is taken for
-// counts that the text cannot hold. \return whether it is such a text \throw Input_error if it is of another kind
+// counts that a text of this size cannot hold. \return whether it is such a text \throw Input_error if it is of another
+// kind
 template <bool Lines>
-bool parse_off(const std::string& file, const std::string& text, std::vector<Point>& points,
+bool parse_off(const std::string& file, Numbers& numbers, std::size_t size, std::vector<Point>& points,
                std::vector<Corners>& faces)
 {
   points.clear();
   faces.clear();
-  Numbers numbers(text);
   const auto begin = [&numbers] { return numbers.skip_to_content(); };
   const auto read = [&](auto& number) { return (Lines || numbers.skip_to_content()) && numbers.read(number); };
   if (!begin()) return false;
@@ -167,7 +184,7 @@ bool parse_off(const std::string& file, const std::string& text, std::vector<Poi
   if (!begin() || !numbers.read(number_of_points) || !numbers.read(number_of_faces)) return false;
   if (Lines) numbers.skip_line();
   else if (!numbers.read(number_of_edges)) return false;
-  if (number_of_points > text.size() || number_of_faces > text.size()) return false;
+  if (number_of_points > size || number_of_faces > size) return false;
   points.reserve(number_of_points);
   for (std::size_t i = 0; i < number_of_points; ++i) {
     double x, y, z, w = 1;
@@ -177,18 +194,24 @@ bool parse_off(const std::string& file, const std::string& text, std::vector<Poi
     if (Lines) numbers.skip_line();
     points.emplace_back(x / w, y / w, z / w);
   }
-  return read_faces<Lines>(numbers, number_of_faces, text.size(), faces);
+  return read_faces<Lines>(numbers, number_of_faces, size, faces);
 }
 
 // Reads OFF files of text, several times as fast as CGAL's reader, which takes the sizes of faces on trust.
-// \return whether it is complete \throw Input_error if it is of a kind that is not read
+// \return whether it is complete \throw Input_error if it is of a kind that is not read, or has what is no number
 inline bool read_off(const std::string& file, std::vector<Point>& points, std::vector<Corners>& faces)
 {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   std::string text(static_cast<std::size_t>(in.tellg()), ' ');
   in.seekg(0);
   if (!in.read(&text[0], static_cast<std::streamsize>(text.size()))) return false;
-  return parse_off<true>(file, text, points, faces) || parse_off<false>(file, text, points, faces);
+  Numbers by_lines(text), in_a_row(text);
+  if (parse_off<true>(file, by_lines, text.size(), points, faces) ||
+      parse_off<false>(file, in_a_row, text.size(), points, faces))
+    return true;
+  const std::string refused = by_lines.refused();
+  if (!refused.empty()) throw Input_error(file, refused);
+  return false;
 }
 
 } // namespace tool

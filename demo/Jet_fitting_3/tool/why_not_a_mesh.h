@@ -16,18 +16,6 @@ namespace tool {
 
 using Corners = std::vector<std::size_t>;
 
-// What is wrong with a face, given by the numbers of its corners, by itself; empty if nothing is.
-inline std::string why_not_a_face(std::size_t number_of_points, const Corners& corners)
-{
-  if (corners.size() < 3) return "has fewer than 3 corners";
-  for (auto a = corners.begin(); a != corners.end(); ++a) {
-    if (*a >= number_of_points)
-      return "refers to vertex " + std::to_string(*a) + " of " + std::to_string(number_of_points);
-    if (std::find(corners.begin(), a, *a) != a) return "has vertex " + std::to_string(*a) + " as a corner twice";
-  }
-  return "";
-}
-
 // The corners of a face next to the one at a vertex.
 struct Wedge
 {
@@ -79,17 +67,19 @@ inline std::string why_not_a_fan(std::size_t vertex, const Wedge* begin, const W
   return "not a manifold: several fans of faces meet in vertex " + std::to_string(vertex);
 }
 
-// What is wrong with the first face that cannot be one; empty if they all can.
+// What is wrong with the first face that has a corner which is none of the points; empty if no face has.
 inline std::string why_not_faces(std::size_t number_of_points, const std::vector<Corners>& faces)
 {
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::string why = why_not_a_face(number_of_points, faces[f]);
-    if (!why.empty()) return "face " + std::to_string(f) + ' ' + why;
-  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const std::size_t corner : faces[f])
+      if (corner >= number_of_points)
+        return "face " + std::to_string(f) + " refers to vertex " + std::to_string(std::ptrdiff_t(corner)) + " of " +
+               std::to_string(number_of_points); // one below 0 is large
   return "";
 }
 
-// Says why faces, of which each can be one, are not an oriented manifold together; empty if they are one.
+// Says why faces, of which each has three different corners or more, are not an oriented manifold together; empty if
+// they are one.
 inline std::string why_not_a_mesh(std::size_t number_of_points, const std::vector<Corners>& faces)
 {
   std::vector<std::size_t> ends(number_of_points + 1, 0);
