@@ -19,6 +19,7 @@
 #include "tool/estimate_by_choice.h"
 #include "tool/find_ridges.h"
 #include "tool/help.h"
+#include "tool/hint_of_sharp_edges.h"
 #include "tool/interrupt.h"
 #include "tool/orient_points.h"
 #include "tool/parse.h"
@@ -229,6 +230,8 @@ void estimate_all(Results& r, Arguments& a, bool has_normals, Phases& phases)
   r.estimates = estimate(r.mesh, r.is_sharp, r.context, has_normals, a, r.remarks,
                          [&phases](double fraction) { phases.show(fraction); });
   check_color(a);
+  if (a.is_automatic && !a.of_points && !a.sharp_angle) // others have a status that tells
+    if (const std::string hint = hint_of_sharp_edges(r.mesh); !hint.empty()) r.remarks.push_back(hint);
   if (a.sharp_angle) r.mesh = split_at(r.mesh, r.estimates.sides, r.estimates.size());
   check_estimated(r.estimates, a);
   if (is_point_set(r.mesh) && !has_normals) {

@@ -394,6 +394,8 @@ void check_sharp_edges()
       roof << "4 " << a << ' ' << a + 1 << ' ' << a + n + 2 << ' ' << a + n + 1 << '\n';
     }
   write("roof.off", roof.str());
+  check_says("roof.off", "12 edges are sharp, as of a CAD part");
+  test::check_true(run("torus.off -o choice.ply").out.find("are sharp") == std::string::npos, "a torus has no edges");
   const Run made = run("roof.off --sharp-angle auto -o roof.ply --picture roof.pov");
   test::check_equal(made.exit_code, 0, "sharp edges: " + made.err);
   test::check_true(made.out.find("12 sharp edges, of more than 40 degrees; 13 vertices were added") !=
