@@ -175,6 +175,22 @@ inline std::array<double, 3> nonnegative_solution(const std::array<std::array<do
   return best;
 }
 
+/// The factor with which predictions fit best what is seen, by least squares.
+class Fitted_factor
+{
+public:
+  void add(double weight, double predicted, double seen)
+  {
+    m_product += weight * predicted * seen;
+    m_square += weight * predicted * predicted;
+  }
+
+  double within(double least, double most) const { return std::min(most, std::max(least, m_product / m_square)); }
+
+private:
+  double m_product = 10, m_square = 10; // as if ten predictions, of all weight that there may be, had come true
+};
+
 /// What a patch says: the members' comparisons in the mean, with standard errors in place of variances.
 inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Ladder& ladder,
                                double patch_radius, const Target& target)
@@ -208,17 +224,20 @@ inline Comparisons patch_means(const std::vector<const Comparisons*>& members, c
 /// The model for derivatives of the given order from what a patch says, by nonnegative least squares; every comparison
 /// counts with its standard error or half its size, whichever is more. Free are the variances of every other order
 /// (disks do not see the others), which are the geometric means of their neighbors. An analytic surface's terms fall
-/// about as a power of the order: where comparisons are silent this gives the least that is assumed.
+/// about as a power of the order: where comparisons are silent this gives the least that is assumed. Where disks are
+/// not whole, as at borders, comparisons also tell how many times these means the variances of the others are.
 /// \param own the variance of the order's own terms
+/// \param are_whole whether disks are
 class Bias_fit
 {
 public:
-  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own)
+  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own, bool are_whole = true)
     : m_means(means), m_ladder(ladder), m_order(order)
   {
     m_model.terms[order] = own;
     start();
     for (int round = 0; round < 5; ++round) improve();
+    if (!are_whole) scale_odd_terms();
     m_model.terms[order] = 0; // is no bias
     bound();
   }
@@ -266,6 +285,20 @@ private:
     }
     const std::size_t k = highest_order; // the last may have a neighbor on one side only
     if ((k - m_order) % 2 == 1) terms[k] = terms[k - 2] > 0 ? terms[k - 1] * terms[k - 1] / terms[k - 2] : 0;
+  }
+
+  void scale_odd_terms()
+  {
+    Fitted_factor factor;
+    for (const Comparison& c : m_means) {
+      if (!c.exists()) continue;
+      double odd = 0;
+      for (std::size_t k = m_order + 1; k <= highest_order; k += 2) odd += m_model.terms[k] * c.terms[k];
+      const double predicted = squared_bias(m_model.terms, c.terms), size = std::max({0., c.excess, predicted});
+      const double w = 1 / (c.variance * c.variance + size * size / 4);
+      if (odd > 0) factor.add(w, odd, c.excess - (predicted - odd));
+    }
+    for (std::size_t k = m_order + 1; k <= highest_order; k += 2) m_model.terms[k] *= factor.within(0.02, 5);
   }
 
   void bound()
@@ -376,6 +409,18 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
   return choice;
 }
 
+/// How many times the bias that a model predicts a vertex sees in comparisons of its own.
+inline double own_factor(const Bias_model& model, const Comparisons& own)
+{
+  Fitted_factor factor;
+  for (const Comparison& c : own) {
+    if (!c.exists()) continue;
+    const double predicted = squared_bias(model.terms, c.terms), size = std::max({0., c.excess, predicted});
+    if (predicted > 0) factor.add(1 / (2 * c.variance * c.variance + size * size), predicted, c.excess);
+  }
+  return factor.within(0.1, 20);
+}
+
 /// Weights by what a patch says, and by comparisons of the candidates' own where noise cannot explain what they show.
 /// \param of_all the model for all components, of the bias of which one has a hundredth at least; or null
 inline Choice choose_with_own_say(const Candidates& candidates, const Comparisons& own, Bias_model model,
@@ -385,6 +430,8 @@ inline Choice choose_with_own_say(const Candidates& candidates, const Comparison
   if (of_all)
     for (std::size_t k = 0; k < model.terms.size(); ++k)
       model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
+  const double factor = own_factor(model, own);
+  for (double& term : model.terms) term *= factor;
   for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, ladder, t, own[t], 12);
   return choose(candidates, model, target, square_of_noise);
 }

@@ -269,7 +269,7 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
 inline double size_of_unit_terms(std::size_t order) { return double(order + 1) * factorial(order) * factorial(order); }
 
 /// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
-/// coefficient, or the samples hardly determine it (noise would grow to more than 100 / radius^order times the
+/// coefficient, or the samples hardly determine it (noise would grow to more than 1000 / radius^order times the
 /// derivatives of a term with unit coefficients).
 /// \param with_rows which take the most time; they need moments of all orders
 inline Candidate candidate(const Moments& moments, std::size_t degree, std::size_t shell, double radius,
@@ -281,7 +281,7 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
   if (!matrix.is_regular()) return result;
   const auto solution = matrix.solution(moments.heights, order);
   result.slopes = {solution[1], solution[2]};
-  double bound = 1e4 * size_of_unit_terms(order);
+  double bound = 1e6 * size_of_unit_terms(order);
   for (std::size_t k = 0; k < order; ++k) bound /= radius * radius;
   for (std::size_t j = 0; j <= order; ++j) {
     const double factor = derivative_factor(order, j);

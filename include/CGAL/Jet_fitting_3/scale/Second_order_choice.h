@@ -38,6 +38,14 @@ struct Second_order_estimate
   bool exists = false;
 };
 
+/// Of a vertex. Borders are known by the tangent planes.
+template <class Neighbors>
+Whereabouts whereabouts(const Surface_points<Neighbors>& surface, double unit, std::size_t i)
+{
+  constexpr double apart = 16; // patches are about ten units wide
+  return {surface.points[i], surface.planes ? apart * unit * (*surface.planes)[i].lean : 0};
+}
+
 /// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
 /// candidates are compared; patches of places say how their bias depends on degree and radius; each vertex averages its
 /// candidates with the weights of the nearest place, or with its own where its surroundings differ.
@@ -49,6 +57,8 @@ class Second_order_choice
   static constexpr std::size_t places_per_model = 4; // far fewer than in a patch
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
   static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
+  static constexpr double far = 16;                           // square, in standard deviations
+  static constexpr double border = 1.6;                       // so far beside, in units, disks are not whole
   static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
 
 public:
@@ -65,7 +75,7 @@ public:
       m_fitter(surface, unit, most_samples, height)
   {
     for (const std::size_t i : vertices) {
-      m_points.push_back(surface.points[i]);
+      m_points.push_back(whereabouts(surface, unit, i));
       m_places.push_back({});
       m_places.back().vertex = i;
     }
@@ -127,7 +137,7 @@ public:
     result.y = cosine * result.y - sine * x;
     result.variance = result.choices[all].variance;
     result.squared_bias = result.choices[all].squared_bias;
-    if ((q[0] - q[2]) * (q[0] - q[2]) > 16 * result.choices[all].risk()) {
+    if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * result.choices[all].risk()) {
       for (Candidate& candidate : candidates[0]) candidate = turned(candidate, cosine, sine);
       refine(walker, i, place, std::move(candidates), q, result);
     }
@@ -189,7 +199,7 @@ private:
     });
     m_models.resize((m_places.size() + places_per_model - 1) / places_per_model);
     for_each(m_models.size(), [&] { return [&](std::size_t m) { m_models[m].of_all = model(m, 0, all); }; });
-    std::vector<Vector_3<double>> centers;
+    std::vector<Whereabouts> centers;
     for (std::size_t m = 0; m < m_models.size(); ++m) centers.push_back(m_points[m * places_per_model]);
     for (std::size_t k = 0; k < m_places.size(); ++k) {
       m_places[k].model = nearest_place(centers, m_points[k]);
@@ -217,17 +227,18 @@ private:
   // What the places around model m say.
   Bias_model model(std::size_t m, std::size_t shape, std::size_t target) const
   {
-    const Near near = nearest_places(m_points, m_points[m * places_per_model], patch + 1);
+    const Whereabouts& center = m_points[m * places_per_model];
+    const Near near = nearest_places(m_points, center, patch + 1);
     const std::size_t count = std::min<std::size_t>(patch, near.size());
     std::vector<const Comparisons*> members;
-    double size = 0;
+    double size = 0, square = squared_distance(center.point, m_points[near.back().second].point);
     for (std::size_t k = 0; k < count; ++k) {
+      square = std::max(square, squared_distance(center.point, m_points[near[k].second].point));
       members.push_back(&m_places[near[k].second].comparisons[shape][target]);
       size += m_places[near[k].second].own_size / double(count);
     }
-    const double radius = std::sqrt(near.back().first) / m_unit;
-    const Comparisons means = patch_means(members, m_ladder, radius, targets[target]);
-    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2)).model();
+    const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / m_unit, targets[target]);
+    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), center.beside < border * m_unit).model();
   }
 
   void compare_components(Walker<Neighbors>& walker, Place& place) const
@@ -331,8 +342,8 @@ private:
       if (!fits(choice, place, candidates)) choice = own_choice(walker, i, place, result.frame, t, candidates);
       double x = 0, y = 0;
       const double value = choice.exists() ? mean(candidates, choice, x, y)[t] : q[t], difference = value - q[t];
-      // if not as in disks, one of both claims is wrong
-      const bool is_taken = choice.exists() && difference * difference <= 4 * (in_disks.risk() + choice.risk());
+      // where it is far from what disks say, the vertex is unlike its patch
+      const bool is_taken = choice.exists() && difference * difference <= far * (in_disks.risk() + choice.risk());
       result.variance += is_taken ? choice.variance : in_disks.variance;
       result.squared_bias += is_taken ? choice.squared_bias : in_disks.squared_bias;
       if (!is_taken) continue;
@@ -408,7 +419,7 @@ private:
   double m_unit, m_square_of_noise;
   Ladder m_ladder;
   Disk_fitter<Neighbors> m_fitter;
-  std::vector<Vector_3<double>> m_points; // of the places
+  std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;
   std::vector<Models> m_models; // each at one of so many places
 };

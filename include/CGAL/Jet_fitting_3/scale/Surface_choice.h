@@ -52,10 +52,10 @@ public:
   template <class For_each = One_after_the_other>
   Surface_choice(const Surface& surface, double noise, double unit, std::size_t highest = highest_degree,
                  const For_each& for_each = For_each())
-    : m_surface(surface)
+    : m_surface(surface), m_unit(unit)
   {
     const std::vector<std::size_t> vertices = spread_vertices(surface.points.size(), most_places);
-    for (const std::size_t i : vertices) m_points.push_back(surface.points[i]);
+    for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, unit, i));
     const double variance = variance_in_units(noise, unit);
     const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
       return Choice_of_height(surface, unit, variance, ladder, height, places, for_each);
@@ -83,7 +83,7 @@ public:
   /// At any vertex.
   Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i) const
   {
-    return m_choices.back().estimate(walker, i, nearest_place(m_points, m_surface.points[i]));
+    return m_choices.back().estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, m_unit, i)));
   }
 
   /// Of all candidates that there may be.
@@ -120,7 +120,8 @@ private:
 
   const Surface& m_surface;
   Height m_height = Height::z;
-  std::vector<Vector_3<double>> m_points; // of the places
+  double m_unit;
+  std::vector<Whereabouts> m_points; // of the places
   std::vector<Choice_of_height> m_choices;
 };
 

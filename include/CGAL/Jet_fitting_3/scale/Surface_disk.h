@@ -26,6 +26,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Tangent_plane
 {
   Vector_3<double> origin, normal;
+  double lean = 0; ///< how far the middle of three rings lies beside the vertex, in units: about 1 at a border
 };
 
 /// Points of a surface whose neighbors are known. Arrays are not owned.
@@ -193,6 +194,7 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
   walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places(found.size());
   Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
+  double lean = 0;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
     Moments moments;
@@ -202,8 +204,9 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
     const auto c = matrix.solution(moments.heights, 1);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(frame.axes.out({-c[1], -c[2], 1}));
+    lean = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
   }
-  return {frame.origin, frame.axes.z};
+  return {frame.origin, frame.axes.z, lean};
 }
 
 /// Its frame; the plane is taken from the surface if it is there.

@@ -21,17 +21,31 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Where a vertex is. Those at a border are as far from others as if they were beside the surface: their errors are of
+/// another kind.
+struct Whereabouts
+{
+  Vector_3<double> point;
+  double beside = 0; ///< a length
+};
+
+inline double squared_distance(const Vector_3<double>& a, const Vector_3<double>& b) { return dot(a - b, a - b); }
+inline double squared_distance(const Whereabouts& a, const Whereabouts& b)
+{
+  return squared_distance(a.point, b.point) + (a.beside - b.beside) * (a.beside - b.beside);
+}
+
 /// Squared distances and numbers of places, the nearest first.
 using Near = std::vector<std::pair<double, std::size_t>>;
 
 /// The number of the place nearest to a point; the lowest of several. There must be one.
-inline std::size_t nearest_place(const std::vector<Vector_3<double>>& places, const Vector_3<double>& point)
+template <class Place>
+std::size_t nearest_place(const std::vector<Place>& places, const Place& point)
 {
   std::size_t nearest = 0;
   double least = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const Vector_3<double> d = places[k] - point;
-    const double square = dot(d, d);
+    const double square = squared_distance(places[k], point);
     if (k > 0 && square >= least) continue;
     least = square;
     nearest = k;
@@ -40,15 +54,12 @@ inline std::size_t nearest_place(const std::vector<Vector_3<double>>& places, co
 }
 
 /// So many of them, or all.
-inline Near nearest_places(const std::vector<Vector_3<double>>& places, const Vector_3<double>& point,
-                           std::size_t count)
+template <class Place>
+Near nearest_places(const std::vector<Place>& places, const Place& point, std::size_t count)
 {
   Near near;
   near.reserve(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Vector_3<double> d = places[k] - point;
-    near.push_back({dot(d, d), k});
-  }
+  for (std::size_t k = 0; k < places.size(); ++k) near.push_back({squared_distance(places[k], point), k});
   count = std::min(count, near.size());
   std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
   near.resize(count);
