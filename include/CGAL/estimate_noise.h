@@ -72,12 +72,12 @@ Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
 {
   const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
   const Unit_surface surface(tables);
-  Noise noise = surface.noise();
+  Noise noise = averaging::noise_of_surface(surface.surface()).of_all;
   if (!std::isfinite(noise.position))
     throw Invalid_input("estimate_noise(): of the " + std::to_string(tables.size()) +
                         " vertices of this mesh too few have enough others within three rings");
   if constexpr (!Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value)
-    averaging::add_noise_of_normals(surface.surface(), surface.mean_edge(),
+    averaging::add_noise_of_normals(surface.surface(),
                                     normals_of_nodes(tables, read_unit_normals(np, *tables.numbering)), noise);
   return in_larger_unit(noise, tables.points.per_length());
 }

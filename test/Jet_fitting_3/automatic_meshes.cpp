@@ -31,12 +31,17 @@ struct Noisy_mesh
   Mesh::Property_map<Vertex, Form> forms;
 
   Noisy_mesh(const Analytic_mesh& exact, double noise)
+    : Noisy_mesh(exact, std::vector<double>(exact.points.size(), noise))
+  {}
+
+  // Of each point.
+  Noisy_mesh(const Analytic_mesh& exact, const std::vector<double>& noise)
   {
     build(exact, mesh);
     forms = mesh.add_property_map<Vertex, Form>("v:form").first;
     std::mt19937 random(5);
-    std::normal_distribution<double> normal(0, noise);
     for (const Vertex v : mesh.vertices()) {
+      std::normal_distribution<double> normal(0, noise[v]);
       Kernel::Point_3& p = mesh.point(v);
       const Curvatures k = exact.truth(Point(p.x(), p.y(), p.z()));
       mean_curvature.push_back((k.k1 + k.k2) / 2);
@@ -51,11 +56,21 @@ struct Noisy_mesh
                                              options);
   }
 
-  double rms_error() const
+  double rms_error() const { return rms_error(0, mesh.number_of_vertices()); }
+
+  // Of the vertices first, ..., last - 1 that have a form.
+  double rms_error(std::size_t first, std::size_t last) const
+  {
+    std::vector<Vertex> vertices;
+    for (std::size_t i = first; i < last; ++i) vertices.push_back(Vertex(Mesh::size_type(i)));
+    return rms_error(vertices);
+  }
+
+  double rms_error(const std::vector<Vertex>& vertices) const
   {
     double sum = 0;
     std::size_t count = 0;
-    for (const Vertex v : mesh.vertices()) {
+    for (const Vertex v : vertices) {
       if (forms[v].coefficients().empty()) continue;
       const double h = (forms[v].principal_curvatures(0) + forms[v].principal_curvatures(1)) / 2;
       sum += std::pow(h - mean_curvature[v], 2);
@@ -86,6 +101,87 @@ double beside_fixed_choices(const Analytic_mesh& exact, double noise, const std:
   for (const std::size_t d : {2, 4, 6}) degrees += summary.count_of_degree(d);
   check_equal(degrees, summary.estimated, name + ": degrees are reported");
   return ratio;
+}
+
+// An ellipsoid, by a dilation of the sphere over the plane that sends two vertices which are opposite to themselves:
+// edges around one are so many times as long as around the other, and nowhere much longer than those beside them.
+Analytic_mesh graded_ellipsoid(double a, double b, double c, int n, double ratio)
+{
+  Analytic_mesh mesh = sphere(1, n);
+  for (Point& p : mesh.points) {
+    const double up = ratio * (1 + p.z), down = 1 - p.z, scale = 2 * std::sqrt(ratio) / (up + down);
+    p = Point(a * scale * p.x, b * scale * p.y, c * (up - down) / (up + down));
+  }
+  mesh.truth = ellipsoid(a, b, c, 1).truth;
+  return mesh;
+}
+
+std::vector<double> edge_lengths(const Analytic_mesh& mesh)
+{
+  std::vector<double> lengths(mesh.points.size()), counts(lengths.size());
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point d = mesh.points[face[k]] - mesh.points[face[(k + 1) % 3]];
+      lengths[face[k]] += std::sqrt(dot(d, d));
+      counts[face[k]] += 1;
+    }
+  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] /= counts[i];
+  return lengths;
+}
+
+// Edges of which the longest are a thousand times as long as the shortest: every vertex has a form, and wherever
+// edges are of one size it is better than by the best fixed choice there, which knows the truth.
+void graded_mesh(bool noise_grows_with_edges)
+{
+  const std::string name = noise_grows_with_edges ? "graded, noise that grows with the edges" : "graded";
+  const Analytic_mesh exact = graded_ellipsoid(1, 1.3, 1.7, 40, 1000);
+  const std::vector<double> edges = edge_lengths(exact);
+  constexpr std::size_t parts = 4;
+  std::array<std::vector<Vertex>, parts> vertices;
+  const double shortest = *std::min_element(edges.begin(), edges.end()),
+               longest = *std::max_element(edges.begin(), edges.end());
+  check_ge(longest, 500 * shortest, "edges differ");
+  std::vector<double> noise;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    noise.push_back(noise_grows_with_edges ? 0.02 * edges[i] : 0.02 * shortest);
+    const double place = std::log(edges[i] / shortest) / std::log(longest / shortest);
+    vertices[std::min(parts - 1, std::size_t(double(parts) * place))].push_back(Vertex(Mesh::size_type(i)));
+  }
+  Noisy_mesh noisy(exact, noise);
+  std::array<double, parts> best;
+  best.fill(INFINITY);
+  for (const std::size_t d : {std::size_t(2), std::size_t(4)})
+    for (int rings : {3, 4, 6, 9}) {
+      noisy.estimate(jets::k_rings(rings), d);
+      for (std::size_t k = 0; k < parts; ++k) best[k] = (std::min)(best[k], noisy.rms_error(vertices[k]));
+    }
+  const auto summary = noisy.estimate(jets::automatic(), 6);
+  check_equal(summary.estimated, edges.size(), name + ": all vertices are estimated");
+  for (std::size_t k = 0; k < parts; ++k)
+    check_le(noisy.rms_error(vertices[k]), best[k], name + ", part " + text(k) + " beside the best fixed choice");
+}
+
+// Two tori, one of them many times as large as the other: both as if they were alone.
+void parts_of_two_sizes(double size)
+{
+  const Analytic_mesh one = torus(2, 1, 80, 40), few = torus(2, 1, 60, 24);
+  Analytic_mesh both = one;
+  const std::size_t vertices = one.points.size();
+  for (const Point& p : few.points) both.points.push_back(size * p + Point(0, 0, 2 + 2 * size));
+  for (auto face : few.faces) {
+    for (std::size_t& i : face) i += vertices;
+    both.faces.push_back(face);
+  }
+  std::vector<double> noise(both.points.size(), 0.005);
+  std::fill(noise.begin() + std::ptrdiff_t(vertices), noise.end(), 0.005 * size);
+  Noisy_mesh mesh(both, noise), first(one, 0.005), second(few, 0.005);
+  for (std::size_t i = 0; i < few.points.size(); ++i)
+    mesh.mean_curvature[vertices + i] = second.mean_curvature[i] / size;
+  for (Noisy_mesh* m : {&mesh, &first, &second})
+    check_equal(m->estimate(jets::automatic(), 6).estimated, m->mesh.number_of_vertices(), "all are estimated");
+  check_le(mesh.rms_error(0, vertices), 1.1 * first.rms_error(), "beside a part " + text(size) + " times as large");
+  check_le(size * mesh.rms_error(vertices, both.points.size()), 1.2 * second.rms_error(),
+           "the part that is " + text(size) + " times as large");
 }
 
 // Coefficients that do not change their sign with the directions, away from umbilics: |b0|, |b3|, c0, c4.
@@ -256,6 +352,8 @@ int main()
                          beside_fixed_choices(ellipsoid(1, 1.3, 1.7, 18), 0.004, "ellipsoid") *
                          beside_fixed_choices(ellipsoid(1, 1.3, 1.7, 18), 0.0005, "ellipsoid, little noise");
   check_le(std::cbrt(product), 0.6, "geometric mean");
+  for (const bool noise_grows_with_edges : {false, true}) graded_mesh(noise_grows_with_edges);
+  for (const double size : {1e-4, 1e4}) parts_of_two_sizes(size);
   orders_3_and_4();
   degrees();
   coarse_mesh();

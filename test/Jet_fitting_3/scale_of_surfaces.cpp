@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -205,7 +206,7 @@ double square_of_error(const test::Curvatures& found, const test::Curvatures& tr
 void add_fixed(std::vector<double>& sums, const scale::Surface_points<Neighbors>& surface,
                scale::Walker<Neighbors>& walker, std::size_t i, double unit, const test::Curvatures& truth)
 {
-  const scale::Local_frame frame = scale::tangent_frame(surface, walker, i, unit);
+  const scale::Local_frame frame = scale::tangent_frame(surface, walker, i);
   std::vector<std::size_t> found, ends;
   walker.rings(i, 12, found, ends);
   for (std::size_t rings = 2; rings <= 12; ++rings) {
@@ -239,7 +240,11 @@ Errors errors_on(const test::Analytic_mesh& mesh, double noise_in_edges, double 
   const Neighbors neighbors{&lists};
   std::vector<Vector> points, normals(mesh.points.size(), Vector{0, 0, 0});
   for (const test::Point& p : mesh.points) points.push_back({size * p.x, size * p.y, size * p.z});
-  const double step = scale::mean_edge(scale::Surface_points<Neighbors>{points, normals, neighbors}) * noise_in_edges;
+  std::vector<double> units;
+  const scale::Surface_points<Neighbors> surface{points, normals, neighbors, units};
+  units = scale::lengths_around(surface);
+  const double unit = std::accumulate(units.begin(), units.end(), 0.) / double(units.size());
+  const double step = unit * noise_in_edges;
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   for (Vector& p : points)
@@ -249,12 +254,14 @@ Errors errors_on(const test::Analytic_mesh& mesh, double noise_in_edges, double 
     for (const std::size_t v : face) normals[v] = normals[v] + n;
   }
   for (Vector& n : normals) n = 1 / std::sqrt(dot(n, n)) * n;
-  normals = scale::smoothed(normals, neighbors, 3);
+  normals = scale::smoothed(normals, neighbors, std::vector<int>(points.size(), 3));
 
-  const scale::Surface_points<Neighbors> surface{points, normals, neighbors};
-  const double unit = scale::mean_edge(surface), noise = scale::noise_of_surface(surface, unit).position / unit;
-  if (noise_in_edges > 0) test::check_near(noise * unit / step, 1, 0.05, "estimated noise over true noise");
-  const scale::Surface_choice<Neighbors> choice(surface, noise * unit, unit);
+  units = scale::lengths_around(surface);
+  const scale::Surface_noise noise = scale::noise_of_surface(surface);
+  if (noise_in_edges > 0) test::check_near(noise.of_all.position / step, 1, 0.05, "estimated noise over true noise");
+  std::vector<double> squares_of_noise;
+  for (const double u : units) squares_of_noise.push_back(scale::variance_in_units(noise.at(u), u));
+  const scale::Surface_choice<Neighbors> choice(surface, squares_of_noise);
   scale::Walker<Neighbors> walker(surface);
   Errors errors;
   std::vector<double> fixed(26);

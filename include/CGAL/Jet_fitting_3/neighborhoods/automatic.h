@@ -22,11 +22,12 @@ namespace Jet_fitting {
 /// density of points around. With Options::use_normals the jets are fitted to positions and normals; too few normals
 /// around a point that are known (not zero) are too few points.
 ///
-/// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods of 2 to 16 mean edges are
-/// averaged, with the weights of least variance and bias; the noise is estimated or given likewise. Orders 3 and 4 have
-/// weights of their own, from degrees 3 and 5, 4 and 6, and up to 24 edges; orders above 4 come from one fit of degree
-/// `degree_monge`. The origin is the vertex itself. `degree_fitting`, if it is given, is the highest degree that is
-/// tried; without it `degree_monge` may be any.
+/// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the
+/// weights of least variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which
+/// may differ from part to part. The noise is estimated or given likewise; if edges differ by more than four times, it
+/// is estimated for each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24
+/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself. `degree_fitting`,
+/// if it is given, is the highest degree that is tried; without it `degree_monge` may be any.
 ///
 /// For a point set `degree_fitting` is not asked, but for the default of `degree_monge`, and coefficients of orders
 /// above 2 come from one fit, in the ball that was chosen for the larger curvature. Estimation_summary::quality() tells

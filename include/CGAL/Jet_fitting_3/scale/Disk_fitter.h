@@ -78,13 +78,12 @@ template <class Neighbors>
 class Disk_fitter
 {
 public:
-  /// \param unit of the radii, in length
   /// \param most vertices of a disk
-  Disk_fitter(const Surface_points<Neighbors>& surface, double unit, std::size_t most, Height height = Height::z)
-    : m_surface(surface), m_unit(unit), m_most(most), m_height(height)
+  Disk_fitter(const Surface_points<Neighbors>& surface, std::size_t most, Height height = Height::z)
+    : m_surface(surface), m_most(most), m_height(height)
   {}
 
-  /// The candidates at vertex i for derivatives of the given order that are selected.
+  /// The candidates at vertex i, in its unit, for derivatives of the given order that are selected.
   /// \param ratio of the axes of the ellipses
   /// \param with_rows or their values alone
   Candidates operator()(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, double ratio,
@@ -92,7 +91,8 @@ public:
   {
     Candidates result(ladder.size());
     typename Walker<Neighbors>::Disk disk;
-    walker.disk(i, frame, ladder.radii, selection.shells(), {m_unit, ratio, least_cosine(), least, m_most}, disk);
+    walker.disk(i, frame, ladder.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, m_most},
+                disk);
     if (m_height == Height::potential)
       for (std::size_t k = 0; k < disk.places.size(); ++k)
         disk.places[k].z *= (1 + dot(m_surface.normals[disk.vertices[k]], frame.axes.z)) / 2;
@@ -125,7 +125,6 @@ private:
   }
 
   const Surface_points<Neighbors>& m_surface;
-  double m_unit;
   std::size_t m_most;
   Height m_height;
 };

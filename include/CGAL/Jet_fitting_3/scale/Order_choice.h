@@ -46,17 +46,16 @@ class Order_choice
 public:
   using Surface = Surface_points<Neighbors>;
 
-  /// \param square_of_noise the variance of a coordinate, in squares of the unit
-  /// \param unit the mean edge; radii are 2 to largest_radius of it
+  /// \param squares_of_noise as for Surface_choice; radii are 2 to largest_radius units
   /// \param highest degree of a candidate, at least the order
   /// \param height potentials, which have the surface's derivatives to order 3, are taken for that order only
   /// \param frame_at frame_at(walker, i) has principal axes, as those of Second_order_estimate
   /// \param for_each as for Surface_choice
   template <class Frame_at, class For_each>
-  Order_choice(const Surface& surface, double square_of_noise, double unit, std::size_t order, std::size_t highest,
-               Height height, const Frame_at& frame_at, const For_each& for_each)
-    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_order(order),
-      m_fitter(surface, unit, most_samples, order == 3 ? height : Height::z)
+  Order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, std::size_t order,
+               std::size_t highest, Height height, const Frame_at& frame_at, const For_each& for_each)
+    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_order(order),
+      m_fitter(surface, most_samples, order == 3 ? height : Height::z)
   {
     std::vector<double> radii;
     for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);
@@ -73,11 +72,12 @@ public:
   /// At any vertex.
   Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
   {
-    const Place& place = m_places[nearest_place(m_points, m_surface.points[i])];
+    const Place& place = m_places[nearest_place(m_points, place_of(i))];
     Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, place.selection, false);
-    if (is_like(place, candidates)) return mean(candidates, place.choices, is_reversed(place, frame.axes.x));
+    if (is_like(place, candidates))
+      return mean(candidates, place.choices, is_reversed(place, frame.axes.x), m_surface.units[i]);
     candidates = all_candidates(walker, i, frame);
-    return mean(candidates, choose_at(i, candidates, frame.axes.x), false);
+    return mean(candidates, choose_at(i, candidates, frame.axes.x), false, m_surface.units[i]);
   }
 
 private:
@@ -95,17 +95,19 @@ private:
 
   std::size_t all() const { return m_order + 1; }
 
+  Whereabouts place_of(std::size_t i) const { return {m_surface.points[i], m_surface.units[i]}; }
+
   template <class Frame_at, class For_each>
   void learn(const Frame_at& frame_at, const For_each& for_each)
   {
-    const std::vector<std::size_t> vertices = spread_vertices(m_surface.points.size(), most_places);
-    for (const std::size_t i : vertices) m_points.push_back(m_surface.points[i]);
+    const std::vector<std::size_t> vertices = spread_over_scales(m_surface.units, most_places);
+    for (const std::size_t i : vertices) m_points.push_back(place_of(i));
     m_places.resize(vertices.size());
     for_each(vertices.size(), [&] {
       return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
         const Local_frame frame = frame_at(walker, vertices[k]);
         m_places[k].axis = frame.axes.x;
-        look_at(m_places[k], all_candidates(walker, vertices[k], frame));
+        look_at(m_places[k], all_candidates(walker, vertices[k], frame), m_squares_of_noise[vertices[k]]);
       };
     });
     for_each(vertices.size(), [&] {
@@ -125,11 +127,11 @@ private:
     return m_fitter(walker, i, frame, 1, m_ladder, m_order, Selection(m_ladder, m_ladder.radii.size()), true);
   }
 
-  void look_at(Place& place, Candidates candidates) const
+  void look_at(Place& place, Candidates candidates, double square_of_noise) const
   {
     place.candidates = std::move(candidates);
     for (const Target& target : m_targets)
-      place.comparisons.push_back(compare_all(place.candidates, m_ladder, target, m_square_of_noise));
+      place.comparisons.push_back(compare_all(place.candidates, m_ladder, target, square_of_noise));
     place.variances.assign(m_ladder.size(), 0);
     for (std::size_t c = 0; c < m_ladder.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
@@ -150,20 +152,20 @@ private:
       members.push_back(&place.comparisons[target == all() || !is_reversed(place, axis) ? target : m_order - target]);
       size += place.size / double(count);
     }
-    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first) / m_unit, m_targets[target]);
+    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first), m_targets[target]);
     return Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
   }
 
   // By what the places around it say, and by its own candidates.
   Choices choose_at(std::size_t i, const Candidates& candidates, const Vector_3<double>& axis) const
   {
-    const Near near = nearest_places(m_points, m_surface.points[i], patch + 1);
+    const Near near = nearest_places(m_points, place_of(i), patch + 1);
     const Bias_model of_all = model(near, all(), axis);
     Choices choices;
     for (std::size_t j = 0; j < all(); ++j) {
-      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_square_of_noise);
+      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_squares_of_noise[i]);
       choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_ladder, m_targets[j],
-                                            m_square_of_noise));
+                                            m_squares_of_noise[i]));
     }
     return choices;
   }
@@ -185,10 +187,10 @@ private:
     return c * c < 0.5;
   }
 
-  Order_estimate mean(const Candidates& candidates, const Choices& choices, bool reversed) const
+  Order_estimate mean(const Candidates& candidates, const Choices& choices, bool reversed, double length) const
   {
     Order_estimate result;
-    const double unit = std::pow(m_unit, 1 - double(m_order));
+    const double unit = std::pow(length, 1 - double(m_order));
     for (std::size_t j = 0; j <= m_order; ++j) {
       const Choice& choice = choices[reversed ? m_order - j : j];
       if (!choice.exists()) return {};
@@ -205,12 +207,12 @@ private:
   }
 
   const Surface& m_surface;
-  double m_unit, m_square_of_noise;
+  const std::vector<double>& m_squares_of_noise;
   std::size_t m_order;
   std::vector<Target> m_targets; // the components, and all
   Ladder m_ladder;
   Disk_fitter<Neighbors> m_fitter;
-  std::vector<Vector_3<double>> m_points; // of the places
+  std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;
 };
 

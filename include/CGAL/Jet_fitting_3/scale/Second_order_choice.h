@@ -40,10 +40,11 @@ struct Second_order_estimate
 
 /// Of a vertex. Borders are known by the tangent planes.
 template <class Neighbors>
-Whereabouts whereabouts(const Surface_points<Neighbors>& surface, double unit, std::size_t i)
+Whereabouts whereabouts(const Surface_points<Neighbors>& surface, std::size_t i)
 {
   constexpr double apart = 16; // patches are about ten units wide
-  return {surface.points[i], surface.planes ? apart * unit * (*surface.planes)[i].lean : 0};
+  const double unit = surface.units[i];
+  return {surface.points[i], unit, surface.planes ? apart * unit * (*surface.planes)[i].lean : 0};
 }
 
 /// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
@@ -65,17 +66,17 @@ public:
   using Surface = Surface_points<Neighbors>;
 
   /// Learns from disks how certain all second derivatives are together.
-  /// \param unit of the ladder's radii, in length
+  /// \param squares_of_noise as for Surface_choice
   /// \param vertices the places
   /// \param for_each as for Surface_choice
   template <class For_each>
-  Second_order_choice(const Surface& surface, double unit, double square_of_noise, const Ladder& ladder, Height height,
-                      const std::vector<std::size_t>& vertices, const For_each& for_each)
-    : m_surface(surface), m_unit(unit), m_square_of_noise(square_of_noise), m_ladder(ladder),
-      m_fitter(surface, unit, most_samples, height)
+  Second_order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, const Ladder& ladder,
+                      Height height, const std::vector<std::size_t>& vertices, const For_each& for_each)
+    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_ladder(ladder),
+      m_fitter(surface, most_samples, height)
   {
     for (const std::size_t i : vertices) {
-      m_points.push_back(whereabouts(surface, unit, i));
+      m_points.push_back(whereabouts(surface, i));
       m_places.push_back({});
       m_places.back().vertex = i;
     }
@@ -118,13 +119,13 @@ public:
   {
     const Place& place = m_places[k];
     Second_order_estimate result;
-    result.frame = tangent_frame(m_surface, walker, i, m_unit);
+    result.frame = tangent_frame(m_surface, walker, i);
     result.choices[all] = place.choices[all];
     Candidates_of_shapes candidates;
     candidates[0] = fit(walker, i, result.frame, 0, place.selections[0], false);
     if (!fits(place.choices[all], place, candidates[0])) {
       candidates[0] = fit(walker, i, result.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
-      result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], 0, all, nullptr);
+      result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], i, 0, all, nullptr);
     }
     if (!result.choices[all].exists()) return result;
     result.exists = true;
@@ -141,12 +142,13 @@ public:
       for (Candidate& candidate : candidates[0]) candidate = turned(candidate, cosine, sine);
       refine(walker, i, place, std::move(candidates), q, result);
     }
-    set_scale(result);
-    result.xx = q[0] / m_unit;
-    result.xy = std::sqrt(0.5) * q[1] / m_unit;
-    result.yy = q[2] / m_unit;
-    result.variance /= m_unit * m_unit;
-    result.squared_bias /= m_unit * m_unit;
+    const double unit = m_surface.units[i];
+    set_scale(result, unit);
+    result.xx = q[0] / unit;
+    result.xy = std::sqrt(0.5) * q[1] / unit;
+    result.yy = q[2] / unit;
+    result.variance /= unit * unit;
+    result.squared_bias /= unit * unit;
     return result;
   }
 
@@ -209,17 +211,18 @@ private:
 
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
   {
-    place.frame = tangent_frame(m_surface, walker, place.vertex, m_unit);
+    place.frame = tangent_frame(m_surface, walker, place.vertex);
     place.candidates[0] = fit(walker, place.vertex, place.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
-    place.comparisons[0][all] = compare_all(place.candidates[0], m_ladder, targets[all], m_square_of_noise);
+    place.comparisons[0][all] =
+        compare_all(place.candidates[0], m_ladder, targets[all], m_squares_of_noise[place.vertex]);
     for (const Candidate& candidate : place.candidates[0])
       if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = square_of_values(candidate);
   }
 
   void choose_in_disks(Place& place) const
   {
-    place.choices[all] =
-        choose_by(m_models[place.model].of_all, place.comparisons[0][all], place.candidates[0], 0, all, nullptr);
+    place.choices[all] = choose_by(m_models[place.model].of_all, place.comparisons[0][all], place.candidates[0],
+                                   place.vertex, 0, all, nullptr);
     double x = 0, y = 0;
     if (place.choices[all].exists()) place.q = mean(place.candidates[0], place.choices[all], x, y);
   }
@@ -237,8 +240,8 @@ private:
       members.push_back(&m_places[near[k].second].comparisons[shape][target]);
       size += m_places[near[k].second].own_size / double(count);
     }
-    const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / m_unit, targets[target]);
-    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), center.beside < border * m_unit).model();
+    const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / center.unit, targets[target]);
+    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), center.beside < border * center.unit).model();
   }
 
   void compare_components(Walker<Neighbors>& walker, Place& place) const
@@ -255,7 +258,8 @@ private:
             fit(walker, place.vertex, place.frame, s, Selection(m_ladder, m_ladder.radii.size()), true);
       for (const Candidate& candidate : place.candidates[s]) place.variances[s].push_back(candidate.variance);
       for (std::size_t t = 0; t < all; ++t)
-        place.comparisons[s][t] = compare_all(place.candidates[s], m_ladder, targets[t], m_square_of_noise);
+        place.comparisons[s][t] =
+            compare_all(place.candidates[s], m_ladder, targets[t], m_squares_of_noise[place.vertex]);
     }
   }
 
@@ -271,8 +275,8 @@ private:
         const Models& models = m_models[place.model];
         for (std::size_t s = 0; s < shapes.size(); ++s)
           for (std::size_t t = 0; t < all; ++t)
-            choices[k][s][t] =
-                choose_by(models.components[s][t], place.comparisons[s][t], place.candidates[s], s, t, &models.of_all);
+            choices[k][s][t] = choose_by(models.components[s][t], place.comparisons[s][t], place.candidates[s],
+                                         place.vertex, s, t, &models.of_all);
       };
     });
     for (std::size_t k = 0; k < m_places.size(); ++k) {
@@ -312,17 +316,19 @@ private:
     return best;
   }
 
-  Choice choose_by(const Bias_model& model, const Candidates& candidates, std::size_t shape, std::size_t target,
-                   const Bias_model* of_all) const
-  {
-    const Comparisons own = compare_all(candidates, m_ladder, targets[target], m_square_of_noise);
-    return choose_by(model, own, candidates, shape, target, of_all);
-  }
-
-  Choice choose_by(const Bias_model& model, const Comparisons& own, const Candidates& candidates, std::size_t shape,
+  // At vertex i.
+  Choice choose_by(const Bias_model& model, const Candidates& candidates, std::size_t i, std::size_t shape,
                    std::size_t target, const Bias_model* of_all) const
   {
-    Choice choice = choose_with_own_say(candidates, own, model, of_all, m_ladder, targets[target], m_square_of_noise);
+    const Comparisons own = compare_all(candidates, m_ladder, targets[target], m_squares_of_noise[i]);
+    return choose_by(model, own, candidates, i, shape, target, of_all);
+  }
+
+  Choice choose_by(const Bias_model& model, const Comparisons& own, const Candidates& candidates, std::size_t i,
+                   std::size_t shape, std::size_t target, const Bias_model* of_all) const
+  {
+    Choice choice =
+        choose_with_own_say(candidates, own, model, of_all, m_ladder, targets[target], m_squares_of_noise[i]);
     choice.shape = shape;
     return choice;
   }
@@ -361,10 +367,10 @@ private:
     if (std::none_of(candidates.begin(), candidates.end(), has_rows))
       candidates = fit(walker, i, frame, shape, Selection(m_ladder, m_ladder.radii.size()), true);
     const Models& models = m_models[place.model];
-    return choose_by(models.components[shape][target], candidates, shape, target, &models.of_all);
+    return choose_by(models.components[shape][target], candidates, i, shape, target, &models.of_all);
   }
 
-  void set_scale(Second_order_estimate& e) const
+  void set_scale(Second_order_estimate& e, double unit) const
   {
     double square = 0;
     for (const std::size_t target : {0, 2}) {
@@ -373,7 +379,7 @@ private:
       square += mean.square_of_radius / 2;
       e.degree = std::max(e.degree, mean.degree);
     }
-    e.radius = m_unit * std::sqrt(square);
+    e.radius = unit * std::sqrt(square);
   }
 
   static Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
@@ -416,7 +422,7 @@ private:
   }
 
   const Surface& m_surface;
-  double m_unit, m_square_of_noise;
+  const std::vector<double>& m_squares_of_noise;
   Ladder m_ladder;
   Disk_fitter<Neighbors> m_fitter;
   std::vector<Whereabouts> m_points; // of the places

@@ -34,7 +34,9 @@ struct One_after_the_other
 /// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
 inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
 
-/// Chooses radii and degrees for all vertices of a surface with edges from the positions alone, and which height.
+/// Chooses radii and degrees for all vertices of a surface with edges from the positions alone, and which height. Radii
+/// are 2 to 16 units, and what is learned of bias, in units as well: so it holds where edges have another length, as
+/// those of a mesh do that is finer where its surface bends more.
 template <class Neighbors>
 class Surface_choice
 {
@@ -44,21 +46,19 @@ class Surface_choice
 public:
   using Surface = Surface_points<Neighbors>;
 
-  /// \param noise the standard deviation of a coordinate, in length
-  /// \param unit the mean edge; radii are 2 to 16 of it
+  /// \param squares_of_noise the variance of a coordinate of each point, in squares of its unit; is not owned
   /// \param highest degree of a candidate, at least 2
   /// \param for_each for_each(count, make_body) calls body(k) once for each k below count, with a body that make_body()
   ///        returns, in any order; each thread has a body of its own
   template <class For_each = One_after_the_other>
-  Surface_choice(const Surface& surface, double noise, double unit, std::size_t highest = highest_degree,
-                 const For_each& for_each = For_each())
-    : m_surface(surface), m_unit(unit)
+  Surface_choice(const Surface& surface, const std::vector<double>& squares_of_noise,
+                 std::size_t highest = highest_degree, const For_each& for_each = For_each())
+    : m_surface(surface)
   {
-    const std::vector<std::size_t> vertices = spread_vertices(surface.points.size(), most_places);
-    for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, unit, i));
-    const double variance = variance_in_units(noise, unit);
+    const std::vector<std::size_t> vertices = spread_over_scales(surface.units, most_places);
+    for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, i));
     const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
-      return Choice_of_height(surface, unit, variance, ladder, height, places, for_each);
+      return Choice_of_height(surface, squares_of_noise, ladder, height, places, for_each);
     };
     Ladder ladder = widest_ladder(highest);
     std::vector<std::size_t> some;
@@ -83,7 +83,7 @@ public:
   /// At any vertex.
   Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i) const
   {
-    return m_choices.back().estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, m_unit, i)));
+    return m_choices.back().estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, i)));
   }
 
   /// Of all candidates that there may be.
@@ -120,7 +120,6 @@ private:
 
   const Surface& m_surface;
   Height m_height = Height::z;
-  double m_unit;
   std::vector<Whereabouts> m_points; // of the places
   std::vector<Choice_of_height> m_choices;
 };

@@ -37,6 +37,7 @@ struct Surface_points
   const std::vector<Vector_3<double>>& points;
   const std::vector<Vector_3<double>>& normals; ///< of length 1, smooth enough to tell where the surface turns
   Neighbors neighbors;
+  const std::vector<double>& units;                   ///< at all points, of radii: the length of the edges around
   const std::vector<Tangent_plane>* planes = nullptr; ///< at all points, if they are known
 };
 
@@ -126,10 +127,10 @@ public:
     if (shells > 0) m_shells[0].push_back({seed, in_units.in(m_surface.points[seed])});
     for (std::size_t s = 0; s < shells; ++s) {
       const bool is_enough = disk.vertices.size() >= extent.least;
-      for (std::size_t k = 0; k < m_shells[s].size() && !(is_enough && squares[s] > reach); ++k)
+      const auto is_too_large = [&] { return disk.vertices.size() + m_shells[s].size() > extent.most; };
+      for (std::size_t k = 0; k < m_shells[s].size() && !is_too_large() && !(is_enough && squares[s] > reach); ++k)
         reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, in_units, squares, s, ellipse));
-      if (is_enough && squares[s] > reach) return;
-      if (disk.vertices.size() + m_shells[s].size() > extent.most) return;
+      if (is_too_large() || (is_enough && squares[s] > reach)) return;
       for (const Found& found : m_shells[s]) {
         disk.vertices.push_back(found.vertex);
         disk.places.push_back(found.place);
@@ -187,9 +188,9 @@ private:
 
 /// The tangent plane at a vertex, by two fits of degree 2 to three rings; the origin is on the second one.
 template <class Neighbors>
-Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
-                            double unit)
+Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i)
 {
+  const double unit = surface.units[i];
   std::vector<std::size_t> found, ends;
   walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places(found.size());
@@ -211,34 +212,35 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
 
 /// Its frame; the plane is taken from the surface if it is there.
 template <class Neighbors>
-Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i,
-                          double unit)
+Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i)
 {
-  const Tangent_plane plane = surface.planes ? (*surface.planes)[i] : tangent_plane(surface, walker, i, unit);
+  const Tangent_plane plane = surface.planes ? (*surface.planes)[i] : tangent_plane(surface, walker, i);
   return {plane.origin, axes_around(plane.normal)};
 }
 
 /// The tangent planes at all vertices. \param for_each as for Surface_choice
 template <class Neighbors, class For_each>
-std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surface, double unit,
-                                          const For_each& for_each)
+std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surface, const For_each& for_each)
 {
   std::vector<Tangent_plane> planes(surface.points.size());
   for_each(planes.size(), [&] {
     return [&, walker = Walker<Neighbors>(surface)](std::size_t i) mutable {
-      planes[i] = tangent_plane(surface, walker, i, unit);
+      planes[i] = tangent_plane(surface, walker, i);
     };
   });
   return planes;
 }
 
-/// Normals averaged with those of the neighbors, so many times.
+/// Normals averaged with those of the neighbors, rounds[i] times that of i.
 template <class Neighbors>
-std::vector<Vector_3<double>> smoothed(std::vector<Vector_3<double>> normals, const Neighbors& neighbors, int rounds)
+std::vector<Vector_3<double>> smoothed(std::vector<Vector_3<double>> normals, const Neighbors& neighbors,
+                                       const std::vector<int>& rounds)
 {
-  for (int round = 0; round < rounds; ++round) {
+  const int most = rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
+  for (int round = 0; round < most; ++round) {
     const std::vector<Vector_3<double>> before = normals;
     for (std::size_t i = 0; i < normals.size(); ++i) {
+      if (rounds[i] <= round) continue;
       for (const std::size_t v : neighbors(i)) normals[i] = normals[i] + before[v];
       const double square = dot(normals[i], normals[i]);
       normals[i] = square > 0 ? 1 / std::sqrt(square) * normals[i] : before[i];

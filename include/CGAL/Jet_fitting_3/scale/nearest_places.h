@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -21,48 +22,67 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Where a vertex is. Those at a border are as far from others as if they were beside the surface: their errors are of
-/// another kind.
+/// Where a vertex is, and the unit of radii there. Those at a border are as far from others as if they were beside the
+/// surface: their errors are of another kind.
 struct Whereabouts
 {
   Vector_3<double> point;
+  double unit;
   double beside = 0; ///< a length
 };
 
 inline double squared_distance(const Vector_3<double>& a, const Vector_3<double>& b) { return dot(a - b, a - b); }
-inline double squared_distance(const Whereabouts& a, const Whereabouts& b)
-{
-  return squared_distance(a.point, b.point) + (a.beside - b.beside) * (a.beside - b.beside);
-}
 
-/// Squared distances and numbers of places, the nearest first.
+/// How far places are from each other. Those whose units differ by more than a factor say nothing of each other, and
+/// are farther than all others.
+struct Distance_of_places
+{
+  double unlike = 1; ///< the ratio of the units if it is too large
+  double square;     ///< in the product of the units
+
+  Distance_of_places(const Whereabouts& a, const Whereabouts& b)
+  {
+    constexpr double most = 2;
+    const double ratio = std::max(a.unit, b.unit) / std::min(a.unit, b.unit);
+    if (!(ratio <= most)) unlike = ratio;
+    const double beside = a.beside - b.beside;
+    square = (squared_distance(a.point, b.point) + beside * beside) / (a.unit * b.unit);
+  }
+
+  friend bool operator<(const Distance_of_places& a, const Distance_of_places& b)
+  {
+    return a.unlike != b.unlike ? a.unlike < b.unlike : a.square < b.square;
+  }
+};
+
+/// Squared distances, in units, and numbers of places, the nearest first.
 using Near = std::vector<std::pair<double, std::size_t>>;
 
-/// The number of the place nearest to a point; the lowest of several. There must be one.
-template <class Place>
-std::size_t nearest_place(const std::vector<Place>& places, const Place& point)
+/// The number of the nearest place; the lowest of several. There must be one.
+inline std::size_t nearest_place(const std::vector<Whereabouts>& places, const Whereabouts& to)
 {
   std::size_t nearest = 0;
-  double least = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const double square = squared_distance(places[k], point);
-    if (k > 0 && square >= least) continue;
-    least = square;
+  Distance_of_places least(places[0], to);
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const Distance_of_places d(places[k], to);
+    if (!(d < least)) continue;
+    least = d;
     nearest = k;
   }
   return nearest;
 }
 
-/// So many of them, or all.
-template <class Place>
-Near nearest_places(const std::vector<Place>& places, const Place& point, std::size_t count)
+/// At most so many of those with like units, or the nearest one.
+inline Near nearest_places(const std::vector<Whereabouts>& places, const Whereabouts& to, std::size_t count)
 {
+  std::vector<std::pair<Distance_of_places, std::size_t>> sorted;
+  sorted.reserve(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) sorted.push_back({Distance_of_places(places[k], to), k});
+  count = std::min(count, sorted.size());
+  std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end());
   Near near;
-  near.reserve(places.size());
-  for (std::size_t k = 0; k < places.size(); ++k) near.push_back({squared_distance(places[k], point), k});
-  count = std::min(count, near.size());
-  std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
-  near.resize(count);
+  for (std::size_t k = 0; k < count && (k == 0 || sorted[k].first.unlike == 1); ++k)
+    near.push_back({sorted[k].first.square, sorted[k].second});
   return near;
 }
 
@@ -79,6 +99,31 @@ inline std::vector<std::size_t> spread_vertices(std::size_t size, std::size_t mo
     const double golden = 0.6180339887498949 * double(k), in_step = step > 1 ? golden - std::floor(golden) : 0;
     vertices.push_back(std::min(size - 1, std::size_t((double(k) + in_step) * step)));
   }
+  return vertices;
+}
+
+/// The same, and more where edges are four times as long or short as in the middle, sixteen times, ...: an eighth of
+/// the number for each such part, or all that it has.
+inline std::vector<std::size_t> spread_over_scales(const std::vector<double>& units, std::size_t most)
+{
+  std::vector<std::size_t> vertices = spread_vertices(units.size(), most);
+  if (units.empty()) return vertices;
+  std::vector<double> sorted = units;
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const auto scale = [&](std::size_t i) { return std::lround(std::log2(units[i] / *middle) / 2); };
+  std::map<long, std::size_t> counts;
+  for (const std::size_t i : vertices) ++counts[scale(i)];
+  std::map<long, std::vector<std::size_t>> rare;
+  for (std::size_t i = 0; i < units.size(); ++i)
+    if (counts[scale(i)] < most / 8) rare[scale(i)].push_back(i);
+  std::vector<bool> is_there(units.size());
+  for (const std::size_t i : vertices) is_there[i] = true;
+  for (const auto& part : rare)
+    for (const std::size_t k : spread_vertices(part.second.size(), most / 8)) {
+      const std::size_t i = part.second[k];
+      if (!is_there[i]) vertices.push_back(i);
+    }
   return vertices;
 }
 

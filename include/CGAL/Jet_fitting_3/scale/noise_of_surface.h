@@ -25,50 +25,43 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// For each vertex, the number of those that are connected with it.
+/// For each vertex, the mean length of the edges at the vertices within two rings, in the middle: a vertex may be far
+/// away. Averaged with those of the neighbors. 1 where there are no edges.
 template <class Neighbors>
-std::vector<std::size_t> sizes_of_parts(const Surface_points<Neighbors>& surface)
+std::vector<double> lengths_around(const Surface_points<Neighbors>& surface)
 {
-  std::vector<std::size_t> sizes(surface.points.size(), 0), part;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (sizes[i] > 0) continue;
-    part.assign(1, i);
-    sizes[i] = 1;
-    for (std::size_t k = 0; k < part.size(); ++k)
-      for (const std::size_t v : surface.neighbors(part[k]))
-        if (sizes[v] == 0) {
-          sizes[v] = 1;
-          part.push_back(v);
-        }
-    for (const std::size_t v : part) sizes[v] = part.size();
-  }
-  return sizes;
-}
-
-/// The mean length of edges, without those that are ten times as long as the median: a vertex may be far away. Parts
-/// that are too small for any choice do not count, if there are others.
-template <class Neighbors>
-double mean_edge(const Surface_points<Neighbors>& surface)
-{
-  const std::vector<std::size_t> sizes = sizes_of_parts(surface);
-  if (sizes.empty()) return 0;
-  const std::size_t least = std::min(2 * number_of_jet_coefficients(4), *std::max_element(sizes.begin(), sizes.end()));
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  const std::vector<Vector_3<double>>& points = surface.points;
+  std::vector<double> own(points.size(), 0), result(points.size(), 1), values;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double count = 0;
     for (const std::size_t v : surface.neighbors(i)) {
-      if (sizes[i] < least) continue;
-      const Vector_3<double> d = surface.points[v] - surface.points[i];
-      lengths.push_back(std::sqrt(dot(d, d)));
-    }
-  if (lengths.empty()) return 0;
-  const double longest = 10 * scale::median(lengths);
-  double sum = 0, count = 0;
-  for (const double length : lengths)
-    if (length <= longest) {
-      sum += length;
+      const Vector_3<double> d = points[v] - points[i];
+      own[i] += std::sqrt(dot(d, d));
       count += 1;
     }
-  return sum / count;
+    if (count > 0) own[i] /= count;
+  }
+  Walker<Neighbors> walker(surface);
+  std::vector<std::size_t> found, ends;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    walker.rings(i, 2, found, ends);
+    values.clear();
+    for (const std::size_t v : found) values.push_back(own[v]);
+    const double middle = scale::median(values);
+    if (middle > 0) result[i] = middle;
+  }
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<double> before = result;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double count = 1;
+      for (const std::size_t v : surface.neighbors(i)) {
+        result[i] += before[v];
+        count += 1;
+      }
+      result[i] /= count;
+    }
+  }
+  return result;
 }
 
 /// The sum of x^i y^j times the first coefficients, up to the degree, and its gradient as slopes.
@@ -141,62 +134,127 @@ struct Variances_of_surface
   }
 };
 
-/// The frame and rings of about 200 vertices.
+/// The number, frame and rings of about 200 vertices.
 template <class Neighbors, class Visit>
-void visit_places(const Surface_points<Neighbors>& surface, double unit, std::size_t rings, const Visit& visit)
+void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, const Visit& visit)
 {
   Walker<Neighbors> walker(surface);
   std::vector<std::size_t> found, ends;
-  for (const std::size_t i : spread_vertices(surface.points.size(), 200)) {
-    const Local_frame frame = tangent_frame(surface, walker, i, unit);
+  for (const std::size_t i : spread_over_scales(surface.units, 200)) {
+    const Local_frame frame = tangent_frame(surface, walker, i);
     walker.rings(i, rings, found, ends);
-    visit(frame, found, ends);
+    visit(i, frame, found, ends);
   }
 }
 
-/// The noise of points, infinite where they are too few: the least of the medians for fits of degrees 4 and 6 to three
-/// and four rings: more rings or lower degrees take the surface for noise, as the next ring tells.
-template <class Neighbors>
-Noise noise_of_surface(const Surface_points<Neighbors>& surface, double unit)
+/// What is left at a place by fits of two degrees to three, four and five rings, in length.
+struct Residuals_at_place
 {
-  struct Fit
-  {
-    std::size_t degree, rings;
-    Variances_of_surface variances{};
-  };
-  std::array<Fit, 6> fits{{{4, 3}, {4, 4}, {4, 5}, {6, 3}, {6, 4}, {6, 5}}};
-  visit_places(surface, unit, 5, [&](const Local_frame& frame, const auto& found, const auto& ends) {
-    for (Fit& fit : fits) {
-      const std::size_t count = ends[fit.rings];
-      fit.variances.add(residual_variance(surface, frame, found, count, fit.degree, unit), count);
-    }
-  });
+  static constexpr std::size_t first_ring = 3, rings = 3;
+  double unit;
+  std::array<std::array<double, rings>, 2> variances; // of degrees 4 and 6
+  std::array<std::size_t, rings> counts;
+};
+
+/// The noise at some places, of so many points, infinite where they are too few: the least of the medians for fits of
+/// degrees 4 and 6 to three and four rings: more rings or lower degrees take the surface for noise, as the next ring
+/// tells.
+inline Noise noise_at_places(const std::vector<Residuals_at_place>& places, std::size_t size)
+{
+  using Place = Residuals_at_place;
   Noise noise;
   noise.position = std::numeric_limits<double>::infinity();
-  for (const std::size_t k :
-       {std::size_t(0), std::size_t(1), std::size_t(3), std::size_t(4)}) { // the next has one ring more
-    const scale::Estimated_variance own = fits[k].variances.median(surface.points.size()),
-                                    larger = fits[k + 1].variances.median(surface.points.size());
-    if (!(std::sqrt(own.value) * unit < noise.position)) continue;
-    const double factor = double(fits[k + 1].rings) / double(fits[k].rings);
-    scale::set_noise(own, scale::misfit(own, larger, factor), noise.position, noise.position_error);
-    noise.position *= unit;
-    noise.position_error *= unit;
+  for (std::size_t degree = 0; degree < 2; ++degree) {
+    std::array<Variances_of_surface, Place::rings> of_rings;
+    for (const Place& place : places)
+      for (std::size_t k = 0; k < Place::rings; ++k) of_rings[k].add(place.variances[degree][k], place.counts[k]);
+    for (std::size_t k = 0; k + 1 < Place::rings; ++k) {
+      const scale::Estimated_variance own = of_rings[k].median(size), larger = of_rings[k + 1].median(size);
+      if (!(std::sqrt(own.value) < noise.position)) continue;
+      const double factor = double(Place::first_ring + k + 1) / double(Place::first_ring + k);
+      scale::set_noise(own, scale::misfit(own, larger, factor), noise.position, noise.position_error);
+    }
   }
   return noise;
 }
 
+/// The noise of points: in the middle of all, and as it depends on the unit, for it may grow with the edges.
+struct Surface_noise
+{
+  struct At_unit
+  {
+    double unit, noise;
+  };
+
+  Noise of_all;
+  std::vector<At_unit> by_scale; ///< units ascend; empty: is the same everywhere
+
+  /// Where the unit is such.
+  double at(double unit) const
+  {
+    if (by_scale.empty()) return of_all.position;
+    const auto above = std::find_if(by_scale.begin(), by_scale.end(), [&](const At_unit& a) { return a.unit > unit; });
+    if (above == by_scale.begin()) return above->noise;
+    const At_unit& below = *(above - 1);
+    if (above == by_scale.end()) return below.noise;
+    return below.noise *
+           std::pow(above->noise / below.noise, std::log(unit / below.unit) / std::log(above->unit / below.unit));
+  }
+};
+
+/// What fits leave at places spread over the surface, the shortest unit first.
+template <class Neighbors>
+std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface)
+{
+  using Place = Residuals_at_place;
+  std::vector<Place> places;
+  const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
+    Place place{surface.units[i], {}, {}};
+    for (std::size_t k = 0; k < Place::rings; ++k) {
+      place.counts[k] = ends[Place::first_ring + k];
+      for (std::size_t d = 0; d < 2; ++d)
+        place.variances[d][k] =
+            place.unit * place.unit * residual_variance(surface, frame, found, place.counts[k], 4 + 2 * d, place.unit);
+    }
+    places.push_back(place);
+  };
+  visit_places(surface, Place::first_ring + Place::rings - 1, visit);
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.unit < b.unit; });
+  return places;
+}
+
+/// Infinite if there are too few vertices.
+template <class Neighbors>
+Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
+{
+  constexpr double most = 4; // ratio of units that are taken together
+  constexpr std::size_t least = 20;
+  const std::size_t size = surface.points.size();
+  const std::vector<Residuals_at_place> places = residuals_at_places(surface);
+  Surface_noise result;
+  result.of_all = noise_at_places(places, size);
+  if (places.empty() || places.back().unit <= most * places.front().unit) return result;
+  for (auto begin = places.begin(), end = begin; begin != places.end(); begin = end) {
+    while (end != places.end() && end->unit <= most * begin->unit) ++end;
+    const std::vector<Residuals_at_place> part(begin, end);
+    const double noise = noise_at_places(part, size).position;
+    if (part.size() >= least && noise > 0 && std::isfinite(noise))
+      result.by_scale.push_back({part[part.size() / 2].unit, noise});
+  }
+  return result;
+}
+
 /// Adds that of normals of length 1, one for each point; from fits of degree 4 to three rings.
 template <class Neighbors>
-void add_noise_of_normals(const Surface_points<Neighbors>& surface, double unit,
-                          const std::vector<Vector_3<double>>& normals, Noise& noise)
+void add_noise_of_normals(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& normals,
+                          Noise& noise)
 {
   const scale::Cloud cloud{surface.points.data(), normals.data(), normals.size()};
   std::array<Variances_of_surface, 2> variances; // of three rings, of four
-  visit_places(surface, unit, 4, [&](const Local_frame&, const auto& found, const auto& ends) {
+  visit_places(surface, 4, [&](std::size_t i, const Local_frame&, const auto& found, const auto& ends) {
     for (std::size_t k = 0; k < 2; ++k) {
       const std::vector<std::size_t> near(found.begin(), found.begin() + std::ptrdiff_t(ends[3 + k]));
-      const double radius = double(3 + k) * unit;
+      const double radius = double(3 + k) * surface.units[i];
       const scale::Local_frame by_normals =
           scale::frame_by_normals(cloud, near, found[0], radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
       const double variance = scale::residual_variance(cloud, near, by_normals, radius, true);

@@ -84,22 +84,22 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
     : m_degrees(degrees), m_surface(tables), m_noise(noise(tables.points, options)),
-      m_choice(m_surface.with_tangent_planes(m_noise.position, For_each_with_body<ConcurrencyTag>()), m_noise.position,
-               m_surface.mean_edge(), degrees.highest, For_each_with_body<ConcurrencyTag>())
+      m_squares_of_noise(squares_of_noise()),
+      m_choice(m_surface.with_tangent_planes(m_squares_of_noise, For_each_with_body<ConcurrencyTag>()),
+               m_squares_of_noise, degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
-    const double variance = averaging::variance_in_units(m_noise.position, m_surface.mean_edge());
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
-      m_higher.emplace_back(m_surface.surface(), variance, m_surface.mean_edge(), order, degrees.highest,
-                            m_choice.height(), frame_at, For_each_with_body<ConcurrencyTag>());
+      m_higher.emplace_back(m_surface.surface(), m_squares_of_noise, order, degrees.highest, m_choice.height(),
+                            frame_at, For_each_with_body<ConcurrencyTag>());
   }
 
   Walker walker() const { return Walker(m_surface.surface()); }
   /// In units.
-  const Noise& noise() const { return m_noise; }
+  const Noise& noise() const { return m_noise.of_all; }
 
-  /// Of no neighborhood it is exceeded, but for orders above 2. In units.
-  double largest_radius() const { return averaging::largest_radius * m_surface.mean_edge(); }
+  /// By no neighborhood of a vertex it is exceeded. In the unit of the tables.
+  double largest_radius(Index i) const { return averaging::largest_radius * m_surface.surface().units[i]; }
 
   /// \param order at most that which is learned
   template <class Solver>
@@ -125,26 +125,36 @@ public:
       }
     }
     result.exists = known >= order || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
-                                                                   largest_radius(), known + 1, solver, result.jet);
+                                                                   largest_radius(i), known + 1, solver, result.jet);
     return result;
   }
 
 private:
   /// In units: the given one, or that of the mesh.
-  Noise noise(const Point_table<Kernel>& table, const Options& options) const
+  averaging::Surface_noise noise(const Point_table<Kernel>& table, const Options& options) const
   {
-    Noise noise;
-    if (options.position_noise) noise.position = *options.position_noise * table.per_length();
-    else noise = m_surface.noise();
-    if (!std::isfinite(noise.position))
+    averaging::Surface_noise noise;
+    if (options.position_noise) noise.of_all.position = *options.position_noise * table.per_length();
+    else noise = averaging::noise_of_surface(m_surface.surface());
+    if (!std::isfinite(noise.of_all.position))
       throw Invalid_input("automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
                           " vertices: there are too few within three rings. Options::position_noise gives it");
     return noise;
   }
 
+  /// Of each vertex, in squares of its unit.
+  std::vector<double> squares_of_noise() const
+  {
+    std::vector<double> result;
+    for (const double unit : m_surface.surface().units)
+      result.push_back(averaging::variance_in_units(m_noise.at(unit), unit));
+    return result;
+  }
+
   Automatic_degrees m_degrees;
   Unit_surface m_surface;
-  Noise m_noise;
+  averaging::Surface_noise m_noise;
+  std::vector<double> m_squares_of_noise;
   averaging::Surface_choice<Edges> m_choice;
   std::vector<averaging::Order_choice<Edges>> m_higher; // orders 3 and 4
 };
@@ -196,7 +206,8 @@ public:
         estimate(block[row][0], m_dprime, results[row]);
       } else {
         estimate(block[row][0], (std::max)(m_order_at_places, m_dprime), results[row]);
-        move_to_foot(results[row], place_of(row), m_learned->largest_radius() / m_points.per_length(), m_dprime);
+        move_to_foot(results[row], place_of(row), m_learned->largest_radius(block[row][0]) / m_points.per_length(),
+                     m_dprime);
       }
     }
   }

@@ -46,34 +46,31 @@ public:
   template <class Tables>
   explicit Unit_surface(const Tables& tables)
     : m_points(points(tables)),
-      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency}, first_rounds)),
-      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}}, m_mean_edge(averaging::mean_edge(m_surface))
-  {}
+      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency},
+                                    std::vector<int>(tables.adjacency.number_of_nodes(), first_rounds))),
+      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
+  {
+    m_units = averaging::lengths_around(m_surface);
+  }
 
   Unit_surface(const Unit_surface&) = delete; // its parts refer to each other
   Unit_surface& operator=(const Unit_surface&) = delete;
 
   const Surface& surface() const { return m_surface; }
-  double mean_edge() const { return m_mean_edge; }
 
-  /// Infinite if there are too few vertices.
-  Noise noise() const
-  {
-    if (m_mean_edge > 0) return averaging::noise_of_surface(m_surface, m_mean_edge);
-    Noise unknown;
-    unknown.position = INFINITY;
-    return unknown;
-  }
-
-  /// Takes the normals from fits, which are more exact, and averages them as so much noise, in units, asks for.
+  /// Takes the normals from fits, which are more exact, and averages them as noise asks for.
+  /// \param squares_of_noise of each point, in squares of its unit
   /// \return the surface with tangent planes
   template <class For_each>
-  const Surface& with_tangent_planes(double noise, const For_each& for_each)
+  const Surface& with_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
   {
-    m_planes = averaging::tangent_planes(m_surface, m_mean_edge, for_each);
-    for (std::size_t i = 0; i < m_planes.size(); ++i) m_normals[i] = m_planes[i].normal;
-    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors,
-                                    averaging::rounds_of_smoothing(noise / m_mean_edge));
+    m_planes = averaging::tangent_planes(m_surface, for_each);
+    std::vector<int> rounds;
+    for (std::size_t i = 0; i < m_planes.size(); ++i) {
+      m_normals[i] = m_planes[i].normal;
+      rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(squares_of_noise[i])));
+    }
+    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, rounds);
     m_surface.planes = &m_planes;
     return m_surface;
   }
@@ -106,8 +103,8 @@ private:
 
   std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
+  std::vector<double> m_units;
   Surface m_surface;
-  double m_mean_edge;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
