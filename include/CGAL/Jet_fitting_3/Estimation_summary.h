@@ -37,7 +37,7 @@ struct Chosen_scale
   double standard_deviation = 0; ///< by noise, as estimated, 1/length
 
   /// Standard errors of k1 and of k2, 1/length, that contain noise and bias: k +- 1.96 error is meant to hold the truth
-  /// in 95 of 100 cases. Of point sets; 0 on meshes.
+  /// in 95 of 100 cases; the manual says how far they do.
   std::array<double, 2> curvature_errors{};
 
   /// Standard errors of b0 and of b3, 1/length^2, that contain noise and bias; 0 if they were not chosen for: below

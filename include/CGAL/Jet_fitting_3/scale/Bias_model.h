@@ -331,6 +331,7 @@ struct Choice
   std::size_t shape = 0;   ///< of the neighborhood, for the caller
   double variance = 0;     ///< of the weighted mean, summed over the target
   double squared_bias = 0; ///< estimated
+  double spread = 0;       ///< the expected mean square of the candidates' distances from their mean, by weight
 
   bool exists() const { return !weights.empty(); }
   double risk() const { return variance + squared_bias; }
@@ -403,9 +404,11 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
   choice.weights.assign(candidates.size(), 0);
   for (std::size_t i = 0; i < n; ++i) {
     choice.weights[existing[i]] = best.weights[i];
+    choice.spread += best.weights[i] * risk(i, i);
     for (std::size_t k = 0; k < n; ++k) choice.variance += best.weights[i] * best.weights[k] * variance(i, k);
   }
   choice.squared_bias = std::max(0., best.risk - choice.variance);
+  choice.spread = std::max(0., choice.spread - best.risk);
   return choice;
 }
 

@@ -28,12 +28,13 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Second_order_estimate
 {
   Local_frame frame;
-  double x = 0, y = 0;           ///< z_x, z_y
-  double xx = 0, xy = 0, yy = 0; ///< in 1 / length
-  double variance = 0;           ///< of (xx, sqrt(2) xy, yy), summed
-  double squared_bias = 0;       ///< estimated, likewise
-  double radius = 0;             ///< the root of the mean square of those of xx and yy
-  std::size_t degree = 0;        ///< the larger one of xx and yy
+  double x = 0, y = 0;                    ///< z_x, z_y
+  double xx = 0, xy = 0, yy = 0;          ///< in 1 / length
+  double variance = 0;                    ///< of (xx, sqrt(2) xy, yy), summed
+  double squared_bias = 0;                ///< estimated, likewise
+  std::array<double, 2> squared_errors{}; ///< of xx and yy, for intervals
+  double radius = 0;                      ///< the root of the mean square of those of xx and yy
+  std::size_t degree = 0;                 ///< the larger one of xx and yy
   std::array<Choice, 4> choices; ///< for xx, sqrt(2) xy, yy in principal axes, and for all: weights of the candidates
   bool exists = false;
 };
@@ -129,6 +130,7 @@ public:
     }
     if (!result.choices[all].exists()) return result;
     result.exists = true;
+    result.squared_errors.fill(squared_error(candidates[0], result.choices[all], targets[all]) / 2);
     std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
     const auto [cosine, sine] = principal_axis(q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
@@ -149,6 +151,7 @@ public:
     result.yy = q[2] / unit;
     result.variance /= unit * unit;
     result.squared_bias /= unit * unit;
+    for (double& square : result.squared_errors) square /= unit * unit;
     return result;
   }
 
@@ -352,6 +355,10 @@ private:
       const bool is_taken = choice.exists() && difference * difference <= far * (in_disks.risk() + choice.risk());
       result.variance += is_taken ? choice.variance : in_disks.variance;
       result.squared_bias += is_taken ? choice.squared_bias : in_disks.squared_bias;
+      if (t != 1) {
+        double& square = result.squared_errors[t / 2];
+        square = (is_taken ? squared_error(candidates, choice, targets[t]) : square) + difference * difference;
+      }
       if (!is_taken) continue;
       q[t] = value;
       result.choices[t] = std::move(choice);
@@ -404,6 +411,22 @@ private:
     y /= sum;
     for (double& value : q) value /= sum;
     return q;
+  }
+
+  // For intervals. A bias is known to a factor of a few where candidates differ by what is expected, elsewhere less.
+  static double squared_error(const Candidates& candidates, const Choice& choice, const Target& target)
+  {
+    constexpr double uncertain = 8;
+    double x = 0, y = 0, square = 0, sum = 0;
+    const std::array<double, 3> q = mean(candidates, choice, x, y);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (!is_used(choice, c)) continue;
+      sum += choice.weights[c];
+      for (std::size_t k = target.first; k < target.last; ++k)
+        square += choice.weights[c] * std::pow(candidates[c].values[k] - q[k], 2);
+    }
+    const double surprise = choice.spread > 0 ? std::max(1., square / (sum * choice.spread)) : 1;
+    return choice.variance + uncertain * surprise * choice.squared_bias;
   }
 
   static std::pair<double, double> principal_axis(const std::array<double, 3>& q)

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The errors of curvatures that automatic() tells for meshes contain the bias: intervals hold the truth. None of these
+// surfaces but the ellipsoid's and the torus' kind is among those for which constants were chosen.
+#include "check.h"
+#include "double_mesh.h"
+
+#include <CGAL/Jet_fitting_3/prepared/Vertex_estimator.h>
+#include <CGAL/estimate_vertex_monge_forms.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace test;
+namespace jets = CGAL::Jet_fitting;
+
+using Height = std::array<double, 6>; // with its derivatives x, y, xx, xy, yy
+
+Height waves(double x, double y)
+{
+  const double s = std::sin(5 * x + 3 * y), c = std::cos(5 * x + 3 * y);
+  return {.06 * s, .3 * c, .18 * c, -1.5 * s, -.9 * s, -.54 * s};
+}
+
+Height bump(double x, double y)
+{
+  const double u = x - .5, v = y - .4, e = .25 * std::exp(-6 * u * u - 9 * v * v);
+  return {e, -12 * u * e, -18 * v * e, (144 * u * u - 12) * e, 216 * u * v * e, (324 * v * v - 18) * e};
+}
+
+Height cubic(double x, double y)
+{
+  const double u = x - .3, v = y - .5;
+  return {.8 * u * u * u - .6 * u * v * v, 2.4 * u * u - .6 * v * v, -1.2 * u * v, 4.8 * u, -1.2 * v, -1.2 * u};
+}
+
+std::vector<Analytic_mesh> surfaces()
+{
+  std::vector<Analytic_mesh> all = {sphere(1, 20),           ellipsoid(1, 1.4, 2.1, 22),
+                                    torus(3, 1.2, 110, 44),  graph("waves", 50, waves),
+                                    graph("bump", 50, bump), graph("cubic", 50, cubic)};
+  all[0].name = "sphere";
+  all[1].name = "ellipsoid";
+  all[2].name = "torus";
+  return all;
+}
+
+struct Intervals
+{
+  double held1 = 0, held2 = 0, count = 0; // how many held the truth, of k1, of k2
+  std::vector<double> growths;            // of intervals over those of the noise alone
+
+  double growth()
+  {
+    const auto middle = growths.begin() + std::ptrdiff_t(growths.size() / 2);
+    std::nth_element(growths.begin(), middle, growths.end());
+    return *middle;
+  }
+
+  void add(const Form& form, const Curvatures& exact, const jets::Chosen_scale& scale)
+  {
+    const auto& e = scale.curvature_errors;
+    ++count;
+    held1 += std::abs(form.principal_curvatures(0) - exact.k1) <= 1.96 * e[0];
+    held2 += std::abs(form.principal_curvatures(1) - exact.k2) <= 1.96 * e[1];
+    growths.push_back(std::sqrt((e[0] * e[0] + e[1] * e[1]) / 2) / scale.standard_deviation);
+  }
+};
+
+double mean_edge(const Mesh& mesh)
+{
+  double sum = 0;
+  for (const auto e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  return sum / double(mesh.number_of_edges());
+}
+
+// \param noise of a coordinate, in mean edges. Disks overlap, on one mesh errors are much the same nearby: several.
+Intervals intervals(const Analytic_mesh& exact, double noise)
+{
+  Intervals result;
+  auto degree = CGAL::parameters::degree_monge(2);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Mesh mesh;
+    build(exact, mesh);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0, noise * mean_edge(mesh));
+    std::vector<Curvatures> truth;
+    for (const Vertex v : mesh.vertices()) {
+      Kernel::Point_3& p = mesh.point(v);
+      truth.push_back(exact.truth(Point(p.x(), p.y(), p.z())));
+      p = p + Kernel::Vector_3(normal(random), normal(random), normal(random));
+    }
+    jets::Vertex_estimator<Mesh, jets::Automatic, decltype(degree)> estimator(mesh, jets::automatic(), degree);
+    for (std::size_t i = seed; i < truth.size(); i += 13) { // not in step with rows
+      const auto found = estimator(Vertex(Mesh::size_type(i)));
+      result.add(found.form, truth[i], found.quality.scale);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+int main()
+{
+  int cases = 0, good = 0;
+  for (const Analytic_mesh& exact : surfaces())
+    for (const double noise : {0.01, 0.05, 0.2}) {
+      Intervals found = intervals(exact, noise);
+      const std::string name = exact.name + ", noise " + text(noise);
+      std::cout << name << ": k1 " << found.held1 / found.count << " k2 " << found.held2 / found.count << " growth "
+                << found.growth() << std::endl;
+      for (const double count : {found.held1, found.held2}) {
+        const double held = count / found.count;
+        check_ge(held, 0.8, name + ": part of the intervals that holds the truth");
+        ++cases;
+        good += held >= 0.9;
+      }
+    }
+  std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";
+  check_ge(double(good), 0.95 * cases, "cases in which 90 % of the intervals hold the truth");
+  return result();
+}
