@@ -258,7 +258,7 @@ void digits_of_the_choice()
     const scale::Point_scale choice = automatic(i, near);
     const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(choice), solver);
     const auto fitted = [&](const scale::Choice& c) {
-      return scale::fit_of_choice(cloud, near, choice.frame, c, automatic.ladder(choice), solver).fit.jet;
+      return scale::fit_of_choice(cloud, near, choice, c, automatic.noise(), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),
                             of_xy = fitted(choice.curvatures[1]);

@@ -18,9 +18,10 @@ namespace Jet_fitting {
 /// For a point set the noise is estimated (or given, by Options::position_noise and normal_noise), and where some
 /// parts are several times as dense as others, that of each; for a subsample, jets of degrees 2 and 4 in balls of many
 /// radii are compared, which tells their bias; each point takes those with the least bias and variance, the normal and
-/// each second derivative in principal axes for itself. Radii begin where a ball holds about 45 points, with the
-/// density of points around. With Options::use_normals the jets are fitted to positions and normals; too few normals
-/// around a point that are known (not zero) are too few points.
+/// each second derivative in principal axes for itself. From positions alone it takes the radii and degrees of the
+/// nearest point of the subsample, unless they are much worse for it. Radii begin where a ball holds about 45 points,
+/// with the density of points around. With Options::use_normals the jets are fitted to positions and normals; too few
+/// normals around a point that are known (not zero) are too few points.
 ///
 /// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the
 /// weights of least variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which

@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -70,36 +71,88 @@ public:
   /// The radii among which was chosen.
   const Ladder& ladder(const Point_scale& scale) const { return m_ladders[scale.level]; }
 
-  /// The choice at point i. May be called by several threads, with lists of indices of their own, which hold the
+  /// The choice at point i; from positions alone that of the nearest point of the subsample, with the fits of point i,
+  /// unless they are much worse. May be called by several threads, with lists of indices of their own, which hold the
   /// neighbors within at least the largest chosen radius afterwards, and some farther ones.
   Point_scale operator()(std::size_t i, Indices& near) const
   {
     const std::uint32_t learned = nearest_learned(i, near);
     if (learned == none) return without_bias(i, near);
-    const std::size_t level = m_levels[learned];
-    const Ladder& ladder = m_ladders[level];
-    const Local_ladder local = local_ladder_at(i, ladder, m_wanted[learned], near);
-    Point_scale scale = choose(local, m_tables[learned], ladder);
-    scale.level = level;
-    return scale.is_chosen && has_neighbors(local, ladder) ? scale : without_bias(i, near);
+    const Chosen_nearby& nearby = m_chosen[learned];
+    const Ladder& ladder = m_ladders[m_levels[learned]];
+    if (!nearby.looks.empty()) {
+      const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1}, {}, nearby.looks};
+      const Point_scale scale = choose_at(i, learned, wanted, nearby.looks.front().rung, near);
+      if (is_as_good(scale, nearby)) return scale;
+    }
+    const Point_scale scale = choose_at(i, learned, m_wanted[learned], rung_of_neighbors(ladder), near);
+    return scale.is_chosen && scale.has_neighbors ? scale : without_bias(i, near);
   }
 
 private:
+  // What was chosen at a point of the subsample, from positions alone.
+  struct Chosen_nearby
+  {
+    std::vector<Look> looks; // none if nothing was chosen
+    std::array<double, number_of_targets> risks{};
+    Vector_3<double> axis{0, 0, 0}; // the principal direction
+  };
+
+  static double risk(const Choice& c) { return c.squared_bias + c.variance; }
+
+  static Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local)
+  {
+    if (!scale.is_chosen || local.looks.empty()) return {};
+    return {looks_at_choice(scale, local),
+            {risk(scale.normal), risk(scale.curvatures[0]), risk(scale.curvatures[1]), risk(scale.curvatures[2])},
+            scale.frame.axes.x};
+  }
+
+  static bool is_as_good(const Point_scale& scale, const Chosen_nearby& nearby)
+  {
+    constexpr double factor = 2;
+    bool result = scale.is_chosen && scale.has_neighbors && risk(scale.normal) <= factor * nearby.risks[0];
+    for (std::size_t k = 0; k < 3; ++k) result = result && risk(scale.curvatures[k]) <= factor * nearby.risks[k + 1];
+    return result;
+  }
+
+  // The choice at point i among these, by the bias that a point of the subsample has learned.
+  Point_scale choose_at(std::size_t i, std::uint32_t learned, const Wanted_rungs& wanted, std::size_t rung_of_neighbors,
+                        Indices& near) const
+  {
+    const Ladder& ladder = m_ladders[m_levels[learned]];
+    const Chosen_nearby& nearby = m_chosen[learned];
+    const Local_ladder local = local_ladder_at(i, ladder, wanted, near, nearby.looks.empty() ? nullptr : &nearby.axis);
+    Point_scale scale = choose(local, m_tables[learned], ladder);
+    scale.level = m_levels[learned];
+    scale.has_neighbors = has_neighbors(local, rung_of_neighbors);
+    return scale;
+  }
+
   // Those that the frame and the principal directions need.
   static std::size_t fewest_rungs(const Ladder& ladder) { return std::min(ladder.axes + 1, ladder.radii.size()); }
 
-  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, const Wanted_rungs& wanted, Indices& near) const
+  // \param axis the principal direction, about, from positions alone; or null
+  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, const Wanted_rungs& wanted, Indices& near,
+                               const Vector_3<double>* axis = nullptr) const
   {
     m_within(i, reach(m_cloud, ladder, wanted.end()), near);
-    return local_ladder(m_cloud, near, local_frame(m_cloud, near, i, ladder), ladder, wanted);
+    const Local_frame frame = local_frame(m_cloud, near, i, ladder);
+    return m_cloud.has_normals() ? ladder_with_normals(m_cloud, near, frame, ladder, wanted)
+                                 : ladder_of_positions(m_cloud, near, frame, ladder, wanted, axis);
   }
 
   // Twice the unknowns of degree 2 around the point, and not only beside it, where the samples are those whose normals
   // are known.
-  bool has_neighbors(const Local_ladder& local, const Ladder& ladder) const
+  static bool has_neighbors(const Local_ladder& local, std::size_t rung)
   {
-    const std::size_t rung = m_cloud.has_normals() ? ladder.first + 1 : ladder.axes;
     return local.candidates[std::min(rung, local.candidates.size() - 1)].size(2) >= least_neighbors_of(2);
+  }
+
+  // Where they are looked for.
+  std::size_t rung_of_neighbors(const Ladder& ladder) const
+  {
+    return m_cloud.has_normals() ? ladder.first + 1 : ladder.axes;
   }
 
   // Where nothing is known of the bias: degree 2 in the ball in which principal directions are taken, of the least
@@ -113,7 +166,7 @@ private:
       m_within(i, reach(m_cloud, m_ladders[level], rungs), near);
       if (double(near.size()) < least_neighbors_of(2)) continue;
       const Local_ladder local = local_ladder_at(i, m_ladders[level], {{m_ladders[level].first, rungs}}, near);
-      scale.has_neighbors = has_neighbors(local, m_ladders[level]);
+      scale.has_neighbors = has_neighbors(local, rung_of_neighbors(m_ladders[level]));
       scale.level = level;
       scale.frame = local.frame;
       scale.in_ball = {m_ladders[level].radii[rungs - 1], Shape::ball, rungs - 1, 2, unknown, unknown, unknown, 0};
@@ -141,22 +194,29 @@ private:
 
     std::vector<Local_ladder> ladders(sample.size());
     std::vector<std::vector<std::uint32_t>> patches(sample.size());
+    std::vector<Indices> close(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       Indices near;
       const Rung_range all{ladder.first, ladder.radii.size()};
       ladders[k] = local_ladder_at(sample[k], ladder, {all, {all, all}}, near);
+      Indices().swap(ladders[k].over_surface); // is not needed, and long
+      if (m_ladders.size() == 1) close[k] = inside(m_cloud, near, {m_cloud.points[sample[k]], {}}, ladder.radii[1]);
       for (const std::uint32_t member : learned_within(sample[k], ladder.patch(), near))
         if (m_levels[member] == m_levels[k]) patches[k].push_back(member);
     });
+    find_nearest(sample, close);
     m_tables.resize(sample.size());
+    m_chosen.resize(sample.size());
     m_wanted.resize(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       Patch_statistics::Patch patch;
       for (const std::uint32_t member : patches[k]) patch.push_back(&ladders[member]);
       m_tables[k] = bias_table(patch, ladder);
-      m_wanted[k] = rungs_around(choose(ladders[k], m_tables[k], ladder), ladder);
+      const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
+      m_chosen[k] = chosen_nearby(scale, ladders[k]);
+      m_wanted[k] = rungs_around(scale, ladder);
       m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, fewest_rungs(ladder));
     });
   }
@@ -220,12 +280,27 @@ private:
     return result;
   }
 
+  // For each point in a list, the point of the subsample that is nearest, the first of several.
+  void find_nearest(const Indices& sample, const std::vector<Indices>& close)
+  {
+    m_nearest.assign(m_cloud.size, none);
+    std::vector<double> least(m_cloud.size, unknown);
+    for (std::size_t k = 0; k < close.size(); ++k)
+      for (const std::size_t i : close[k]) {
+        const Vector_3<double> d = m_cloud.points[i] - m_cloud.points[sample[k]];
+        const double square = dot(d, d);
+        if (!(square < least[i])) continue;
+        least[i] = square;
+        m_nearest[i] = std::uint32_t(k);
+      }
+  }
+
   // The point of the subsample that is nearest to point i, mostly in the smallest ball; where points are less dense
   // than on a level, of a higher one.
   std::uint32_t nearest_learned(std::size_t i, Indices& near) const
   {
     constexpr std::size_t fewest = least_neighbors / 5; // a corner has a quarter of the least
-    std::uint32_t learned = none;
+    std::uint32_t learned = m_nearest[i];
     for (std::size_t level = 0; level < m_ladders.size() && learned == none; ++level) {
       m_within(i, reach(m_cloud, m_ladders[level], 1), near);
       if (near.size() >= fewest) learned = nearest_among(i, level, near);
@@ -258,8 +333,10 @@ private:
   Noise m_noise;
   std::vector<Ladder> m_ladders;        // of all levels
   std::vector<std::uint32_t> m_learned; // for each point its place in the subsample
+  std::vector<std::uint32_t> m_nearest; // for each point the nearest of the subsample; none where that is to be sought
   std::vector<std::size_t> m_levels;    // of the subsample
   std::vector<Bias_table> m_tables;
+  std::vector<Chosen_nearby> m_chosen;
   std::vector<Wanted_rungs> m_wanted; // what is worth a look nearby
 };
 

@@ -132,20 +132,22 @@ struct Row_weights
   }
 };
 
-/// The fit to a ball around the origin of the frame.
+/// The fit of degree 2 to a ball around the origin of the frame.
 inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
                            const Noise& noise)
 {
   Shell_sums sums;
   const double factor = normal_factor(noise);
+  std::vector<Vector_3<double>> heights;
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, factor);
     if (!s.is_there || s.square > radius * radius) continue;
     if (cloud.has_normals()) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
-    else sums.add(s.u, s.v, s.height);
+    else heights.push_back({s.u, s.v, s.height});
   }
+  sums.add<2>(heights.data(), heights.size());
   const Row_weights weights(cloud, noise, radius);
-  return Nested_fit(sums, weights.height, weights.slope);
+  return Nested_fit(sums, weights.height, weights.slope, 2);
 }
 
 /// With normals: their sum in the smaller ball, then the normal of a fit of degree 2 to the larger one.
@@ -190,9 +192,11 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
                                       const Noise& noise)
 {
   const Vector_3<double> p = cloud.points[i];
-  Local_frame frame{p, axes_around(unit_vector(thin_direction(cloud, near, i, radius)))};
+  Local_frame frame{p, {}};
+  const Indices nearest = inside(cloud, near, frame, radius + 5 * noise.position);
+  frame.axes = axes_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
   for (int round = 0; round < 2; ++round) {
-    const Nested_fit fit = fit_ball(cloud, near, frame, radius, noise);
+    const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
     if (!fit.determines(2)) return frame;
     const Vector_3<double> n = unit_vector({-fit.coefficient(1, 2), -fit.coefficient(2, 2), 1});
     const Vector_3<double> normal = frame.axes.out(n);

@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +46,9 @@ struct Local_ladder
   {
     return shape == Shape::ball ? candidates : elongated[shape == Shape::along_x ? 0 : 1];
   }
+
+  std::vector<Look> looks; ///< from positions alone
+  Indices over_surface;    ///< from positions alone: the first so many are those of a candidate of degree 3 or 4
 };
 
 /// Some rungs of a ladder.
@@ -59,6 +62,7 @@ struct Wanted_rungs
 {
   Rung_range balls;
   std::array<Rung_range, 2> elongated{};
+  std::vector<Look> looks{}; ///< from positions alone: which of the balls; if there are none all below their end
 
   std::size_t end() const { return std::max({balls.end, elongated[0].end, elongated[1].end}); }
 };
@@ -77,62 +81,89 @@ inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs)
   return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.noise.position);
 }
 
-/// The sums of all shells from those of each, one more than balls, for what lies outside.
-inline void accumulate(std::vector<Shell_sums>& shells)
-{
-  for (std::size_t j = 1; j < shells.size(); ++j) shells[j] += shells[j - 1];
-}
-
 /// The neighbors of a point, for fits from positions alone.
 class Neighbors_in_balls
 {
 public:
   Neighbors_in_balls(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                     std::size_t rungs)
-    : m_balls(ladder, rungs), m_sums(rungs + 1)
+                     const std::vector<Look>& looks)
+    : m_balls(ladder, looks)
   {
     for (const std::size_t i : near) {
-      const Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), 1);
-      if (m_balls.first(s.u * s.u + s.v * s.v) == rungs) continue;
-      m_neighbors.push_back({s.u, s.v, s.height});
+      const Vector_3<double> r = (1 / m_balls.unit()) * frame.axes.in(cloud.points[i] - frame.origin);
+      if (r.x * r.x + r.y * r.y > m_balls.square(m_balls.size() - 1)) continue;
+      m_neighbors.push_back(r);
       m_indices.push_back(i);
-      const std::size_t ball = m_balls.first(s.u * s.u + s.v * s.v + s.height * s.height);
-      if (ball < rungs) m_sums[ball].add_for_degree_2(s.u, s.v, s.height);
     }
-    accumulate(m_sums);
   }
 
   const Balls& balls() const { return m_balls; }
 
-  /// For degree 2.
-  const std::vector<Shell_sums>& sums_of_balls() const { return m_sums; }
-
-  /// For degrees 3 and 4.
-  std::vector<Shell_sums> sums_over_surface(const Surface_cut& cut) const
+  /// The neighbors by the first ball that has them; those that none has are left out.
+  struct Shells
   {
-    std::vector<Shell_sums> sums(m_balls.size() + 1);
-    for (const Vector_3<double>& s : m_neighbors) {
-      const std::size_t ball = cut.first(s.x, s.y, s.z);
-      if (ball < m_balls.size()) sums[ball].add(s.x, s.y, s.z);
-    }
-    accumulate(sums);
-    return sums;
+    std::vector<std::size_t> neighbors, ends; ///< the shells one after the other
+  };
+
+  /// For degree 2.
+  Shells in_balls() const
+  {
+    return in_shells([&](std::size_t j) {
+      return [square = m_balls.square(j)](const Vector_3<double>& s) { return dot(s, s) <= square; };
+    });
   }
 
-  /// Those that ball j has for degrees 3 and 4.
-  Indices over_surface(const Surface_cut& cut, std::size_t j) const
+  /// For degrees 3 and 4.
+  Shells over_surface(const Surface_cut& cut) const
+  {
+    return in_shells([&](std::size_t j) { return cut.in_ball(j); });
+  }
+
+  /// Of each ball.
+  template <std::size_t degree>
+  std::vector<Shell_sums> sums(const Shells& shells) const
+  {
+    std::vector<Vector_3<double>> sorted(shells.neighbors.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = m_neighbors[shells.neighbors[k]];
+    std::vector<Shell_sums> result(m_balls.size());
+    for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
+      if (j > 0) result[j] = result[j - 1];
+      result[j].add<degree>(sorted.data() + begin, shells.ends[j] - begin);
+    }
+    return result;
+  }
+
+  Indices indices(const Shells& shells) const
   {
     Indices result;
-    for (std::size_t k = 0; k < m_neighbors.size(); ++k)
-      if (cut.first(m_neighbors[k].x, m_neighbors[k].y, m_neighbors[k].z) <= j) result.push_back(m_indices[k]);
+    for (const std::size_t k : shells.neighbors) result.push_back(m_indices[k]);
     return result;
   }
 
 private:
+  // All are asked for all balls: that is faster than jumps that none can foresee.
+  template <class In_ball>
+  Shells in_shells(const In_ball& in_ball) const
+  {
+    std::vector<std::uint32_t> ball(m_neighbors.size(), std::uint32_t(m_balls.size()));
+    for (std::size_t j = m_balls.size(); j-- > 0;) {
+      const auto has = in_ball(j);
+      for (std::size_t k = 0; k < ball.size(); ++k) ball[k] = has(m_neighbors[k]) ? std::uint32_t(j) : ball[k];
+    }
+    std::vector<std::size_t> begins(m_balls.size() + 2, 0);
+    for (const std::uint32_t j : ball) ++begins[j + 1];
+    for (std::size_t j = 1; j < begins.size(); ++j) begins[j] += begins[j - 1];
+    Shells shells;
+    shells.ends.assign(begins.begin() + 1, begins.end() - 1);
+    shells.neighbors.resize(m_neighbors.size());
+    for (std::size_t k = 0; k < ball.size(); ++k) shells.neighbors[begins[ball[k]]++] = k;
+    shells.neighbors.resize(shells.ends.back());
+    return shells;
+  }
+
   Balls m_balls;
   std::vector<Vector_3<double>> m_neighbors;
   Indices m_indices; // of the neighbors
-  std::vector<Shell_sums> m_sums;
 };
 
 /// To each of the balls.
@@ -141,19 +172,8 @@ inline std::vector<Second_order> fits_of_degree_2(const std::vector<Shell_sums>&
 {
   std::vector<Second_order> result;
   for (std::size_t j = 0; j < balls.size(); ++j)
-    result.push_back(second_order(Nested_fit(sums[j], weights.height, 0), 2, balls.unit()));
+    result.push_back(second_order(Nested_fit(sums[j], weights.height, 0, 2), 2, balls.unit()));
   return result;
-}
-
-/// Which neighbors a fit has.
-inline Indices neighbors_of_fit(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                                Shape shape, std::size_t rung, std::size_t degree)
-{
-  if (cloud.has_normals() || degree == 2) return inside(cloud, near, frame, ladder.radii[rung], shape);
-  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, rung + 1);
-  const Row_weights weights(cloud, ladder.noise, neighbors.balls().unit());
-  const auto low = fits_of_degree_2(neighbors.sums_of_balls(), weights, neighbors.balls());
-  return neighbors.over_surface(Surface_cut(neighbors.balls(), low, ladder), rung);
 }
 
 /// The fits of a radius, and their numbers of neighbors.
@@ -164,23 +184,38 @@ struct Fits_of_radius
 };
 
 /// From positions alone.
+/// \param looks surfaces that are to be found are found
+/// \param over_surface see Local_ladder
 inline std::vector<Fits_of_radius> fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                                     const Ladder& ladder, std::size_t rungs)
+                                                     const Ladder& ladder, std::vector<Look>& looks,
+                                                     Indices& over_surface)
 {
-  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, rungs);
+  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, looks);
   const Balls& balls = neighbors.balls();
   const Row_weights weights(cloud, ladder.noise, balls.unit());
-  const std::vector<Shell_sums>& of_balls = neighbors.sums_of_balls();
+  const std::vector<Shell_sums> of_balls = neighbors.sums<2>(neighbors.in_balls());
   const std::vector<Second_order> low = fits_of_degree_2(of_balls, weights, balls);
-  const std::vector<Shell_sums> sums = neighbors.sums_over_surface(Surface_cut(balls, low, ladder));
+  find_surfaces(looks, low, ladder);
+  const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
+  over_surface = neighbors.indices(shells);
+  const std::vector<Shell_sums> sums = neighbors.sums<highest_degree>(shells);
   std::vector<Fits_of_radius> result;
-  for (std::size_t j = 0; j < rungs; ++j) {
-    const Nested_fit fit(sums[j], weights.height, 0);
-    result.push_back({{of_balls[j].size(), sums[j].size(), sums[j].size()},
-                      {low[j], second_order(fit, 3, balls.unit()), second_order(fit, 4, balls.unit())}});
+  for (std::size_t j = 0; j < looks.size(); ++j) {
+    result.push_back({{of_balls[j].size(), 0, 0}, {low[j], {}, {}}});
+    if (looks[j].is_cut) {
+      const Nested_fit fit(sums[j], weights.height, 0);
+      result[j].sizes[1] = result[j].sizes[2] = sums[j].size();
+      for (std::size_t d = 3; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, balls.unit());
+    }
     for (Second_order& s : result[j].fits) s = with_misfit_as_noise(s);
   }
   return result;
+}
+
+/// The sums of all shells from those of each, one more than balls, for what lies outside.
+inline void accumulate(std::vector<Shell_sums>& shells)
+{
+  for (std::size_t j = 1; j < shells.size(); ++j) shells[j] += shells[j - 1];
 }
 
 /// The neighbors of a point, for fits with normals, which tell other sheets, and whose noise is not cut off.
@@ -189,7 +224,7 @@ class Oriented_neighbors
 public:
   Oriented_neighbors(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
                      std::size_t rungs)
-    : m_balls(ladder, rungs), m_weights(cloud, ladder.noise, m_balls.unit())
+    : m_balls(ladder, look_at_all(rungs)), m_weights(cloud, ladder.noise, m_balls.unit())
   {
     const double factor = normal_factor(ladder.noise);
     for (const std::size_t i : near) {
@@ -236,28 +271,78 @@ inline std::vector<Rung> turned(const std::vector<Fits_of_radius>& fits, double 
   return rungs;
 }
 
-/// Fits for these radii around point i; from positions for all below the end, and no ellipses.
-inline Local_ladder local_ladder(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                 const Ladder& ladder, const Wanted_rungs& wanted)
+/// Cosine and sine of the angle from the x axis of a frame.
+struct Turn
 {
-  std::optional<Oriented_neighbors> oriented;
-  if (cloud.has_normals()) oriented.emplace(cloud, near, frame, ladder, wanted.end());
-  const std::vector<Fits_of_radius> fits = oriented ? oriented->fits(Shape::ball, wanted.balls)
-                                                    : fits_to_positions(cloud, near, frame, ladder, wanted.balls.end);
-  const Second_order& pilot = fits[std::min(ladder.axes, wanted.balls.end - 1)].fits[0];
-  const auto eigen = numeric::symmetric_eigen_2(pilot.value[2], std::sqrt(0.5) * pilot.value[3], pilot.value[4]);
-  const bool first = std::abs(eigen.larger_value) >= std::abs(eigen.smaller_value);
-  const double c = first ? eigen.x : -eigen.y, s = first ? eigen.y : eigen.x;
+  double cosine = 1, sine = 0;
+};
 
-  Local_ladder result;
+/// To the principal direction of the larger curvature.
+inline Turn turn_to_principal_direction(const Second_order& pilot)
+{
+  const auto eigen = numeric::symmetric_eigen_2(pilot.value[2], std::sqrt(0.5) * pilot.value[3], pilot.value[4]);
+  if (std::abs(eigen.larger_value) >= std::abs(eigen.smaller_value)) return {eigen.x, eigen.y};
+  return {-eigen.y, eigen.x};
+}
+
+/// To what is seen of a direction in the tangent plane.
+inline Turn turn_towards(const Vector_3<double>& direction, const Local_frame& frame)
+{
+  const Vector_3<double> d = frame.axes.in(direction);
+  const double length = std::sqrt(d.x * d.x + d.y * d.y);
+  return length > 0 ? Turn{d.x / length, d.y / length} : Turn();
+}
+
+inline Local_frame turned(const Local_frame& frame, const Turn& turn)
+{
   const Basis_3<double>& axes = frame.axes;
-  result.frame = {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
-  result.candidates = turned(fits, c, s);
+  const double c = turn.cosine, s = turn.sine;
+  return {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
+}
+
+/// Fits around a point from positions alone, and no ellipses.
+/// \param axis the principal direction, about; if null it is that of degree 2 at ladder.axes
+inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                        const Ladder& ladder, const Wanted_rungs& wanted, const Vector_3<double>* axis)
+{
+  Local_ladder result;
+  result.looks = wanted.looks.empty() ? look_at_all(wanted.balls.end) : wanted.looks;
+  const std::vector<Fits_of_radius> fits =
+      fits_to_positions(cloud, near, frame, ladder, result.looks, result.over_surface);
+  const Turn turn = axis ? turn_towards(*axis, frame)
+                         : turn_to_principal_direction(fits[std::min(ladder.axes, fits.size() - 1)].fits[0]);
+  result.frame = turned(frame, turn);
+  result.candidates.resize(result.looks.back().rung + 1);
+  const std::vector<Rung> rungs = turned(fits, turn.cosine, turn.sine);
+  for (std::size_t j = 0; j < rungs.size(); ++j) result.candidates[result.looks[j].rung] = rungs[j];
+  return result;
+}
+
+/// With normals as data.
+inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                        const Ladder& ladder, const Wanted_rungs& wanted)
+{
+  const Oriented_neighbors neighbors(cloud, near, frame, ladder, wanted.end());
+  const std::vector<Fits_of_radius> fits = neighbors.fits(Shape::ball, wanted.balls);
+  const Turn turn = turn_to_principal_direction(fits[std::min(ladder.axes, wanted.balls.end - 1)].fits[0]);
+  Local_ladder result;
+  result.frame = turned(frame, turn);
+  result.candidates = turned(fits, turn.cosine, turn.sine);
   for (const Shape shape : {Shape::along_x, Shape::along_y}) {
     const std::size_t k = shape == Shape::along_x ? 0 : 1;
-    if (oriented && wanted.elongated[k].end > 0)
-      result.elongated[k] = turned(oriented->fits(shape, wanted.elongated[k], c, s), 1, 0);
+    if (wanted.elongated[k].end > 0)
+      result.elongated[k] = turned(neighbors.fits(shape, wanted.elongated[k], turn.cosine, turn.sine), 1, 0);
   }
+  return result;
+}
+
+/// Which neighbors degree 3 or 4 would have at a rung, from positions alone.
+inline Indices neighbors_over_surface(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                      const Ladder& ladder, std::size_t rung)
+{
+  std::vector<Look> looks = look_at_all(rung + 1);
+  Indices result;
+  fits_to_positions(cloud, near, frame, ladder, looks, result);
   return result;
 }
 

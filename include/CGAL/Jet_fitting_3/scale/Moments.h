@@ -7,12 +7,11 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_MOMENTS_H
 #define CGAL_JET_FITTING_3_SCALE_MOMENTS_H
 
-#include <CGAL/Jet_fitting_3/numeric/Pack.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -46,80 +45,7 @@ struct Moments
   template <std::size_t degree, std::size_t order = 2 * degree>
   void add(const Vector_3<double>* samples, std::size_t count)
   {
-    Sums<order> of_terms;
-    Sums<degree> of_heights;
-    for (std::size_t k = 0; k < count; k += 2 * lanes) {
-      const Samples a(samples, k, count), b(samples, k + lanes, count);
-      add_powers(a, b, of_terms, of_heights);
-    }
-    of_terms.add_to(terms.data());
-    of_heights.add_to(heights.data());
-  }
-
-private:
-  static constexpr std::size_t lanes = (std::max)(2, numeric::native_lanes<double>());
-  using Pack = numeric::Pack<double, int(lanes)>;
-
-  // Some of them side by side; where there are no more, of weight 0.
-  struct Samples
-  {
-    Pack x = 0, y = 0, z = 0, weight = 0;
-
-    Samples(const Vector_3<double>* samples, std::size_t first, std::size_t count)
-    {
-      for (std::size_t i = 0; i < lanes && first + i < count; ++i) {
-        const Vector_3<double>& s = samples[first + i];
-        x.set(int(i), s.x);
-        y.set(int(i), s.y);
-        z.set(int(i), s.z);
-        weight.set(int(i), 1);
-      }
-    }
-  };
-
-  // Sums for x^i y^j at [j][i], up to an order.
-  template <std::size_t order>
-  struct Sums
-  {
-    Pack of[order + 1][order + 1];
-
-    Sums()
-    {
-      for (std::size_t j = 0; j <= order; ++j)
-        for (std::size_t i = 0; i + j <= order; ++i) of[j][i] = 0;
-    }
-
-    void add_to(double* moments) const
-    {
-      for (std::size_t j = 0; j <= order; ++j)
-        for (std::size_t i = 0; i + j <= order; ++i)
-          for (std::size_t lane = 0; lane < lanes; ++lane) moments[term_index(i + j, j)] += of[j][i][int(lane)];
-    }
-  };
-
-  // Two packs at a time, so that each sum is touched half as often.
-  template <std::size_t order, std::size_t degree>
-  static void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<degree>& of_heights)
-  {
-    Pack powers_of_a[order + 1], powers_of_b[order + 1];
-    powers_of_a[0] = a.weight;
-    powers_of_b[0] = b.weight;
-    for (std::size_t i = 1; i <= order; ++i) {
-      powers_of_a[i] = powers_of_a[i - 1] * a.x;
-      powers_of_b[i] = powers_of_b[i - 1] * b.x;
-    }
-    Pack of_a = 1, of_b = 1; // y^j
-    for (std::size_t j = 0; j <= order; ++j) {
-      for (std::size_t i = 0; i + j <= order; ++i)
-        of_terms.of[j][i] = of_terms.of[j][i] + (of_a * powers_of_a[i] + of_b * powers_of_b[i]);
-      if (j <= degree) {
-        const Pack height_of_a = of_a * a.z, height_of_b = of_b * b.z;
-        for (std::size_t i = 0; i + j <= degree; ++i)
-          of_heights.of[j][i] = of_heights.of[j][i] + (height_of_a * powers_of_a[i] + height_of_b * powers_of_b[i]);
-      }
-      of_a = of_a * a.y;
-      of_b = of_b * b.y;
-    }
+    numeric::add_moments<order, degree>(samples, count, terms.data(), heights.data());
   }
 };
 

@@ -30,15 +30,16 @@ class Nested_fit
 public:
   /// \param height_weight 1 / s^2, in the unit of the sums; 0 leaves out the rows of heights, with them the constant
   /// \param slope_weight 1 / s_n^2, or 0
-  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight)
+  /// \param degree the highest that is asked for
+  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree = highest_degree)
     : m_first(height_weight > 0 ? 0 : 1),
       m_rows(sums.size() * ((height_weight > 0 ? 1 : 0) + (slope_weight > 0 ? 2 : 0))),
       m_squares(height_weight * sums.squared_heights + slope_weight * sums.squared_slopes),
       m_of_heights(sums.levers > 0 && slope_weight > 0 ? 1 + height_weight / slope_weight * sums.levers / sums.size()
                                                        : 1)
   {
-    assemble(sums, height_weight, slope_weight);
-    factorize();
+    assemble(sums, height_weight, slope_weight, degree);
+    factorize(number_of_jet_coefficients(degree));
   }
 
   /// Whether the samples determine a jet of this degree.
@@ -73,7 +74,7 @@ public:
   }
 
 private:
-  void assemble(const Shell_sums& sums, double height_weight, double slope_weight)
+  void assemble(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree)
   {
     const auto moment = [&sums](std::size_t i, std::size_t j) { return sums.moments[monomial_index(i, j)]; };
     const auto entry = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
@@ -83,7 +84,7 @@ private:
       return e;
     };
     std::size_t a = 0;
-    for (std::size_t order = 0; order <= highest_degree; ++order)
+    for (std::size_t order = 0; order <= degree; ++order)
       for (std::size_t j = 0; j <= order; ++j, ++a) {
         const std::size_t i = order - j;
         m_right[a] = height_weight * sums.heights[a];
@@ -96,11 +97,11 @@ private:
   }
 
   // In units in which the diagonal is 1. Ends at the first column that depends on those before.
-  void factorize()
+  void factorize(std::size_t count)
   {
-    m_rank = n;
-    for (std::size_t a = 0; a < n; ++a) m_scale[a] = m_factor[a][a] > 0 ? 1 / std::sqrt(m_factor[a][a]) : 0;
-    for (std::size_t a = m_first; a < n; ++a) {
+    m_rank = count;
+    for (std::size_t a = 0; a < count; ++a) m_scale[a] = m_factor[a][a] > 0 ? 1 / std::sqrt(m_factor[a][a]) : 0;
+    for (std::size_t a = m_first; a < count; ++a) {
       double pivot = 1;
       for (std::size_t b = m_first; b < a; ++b) {
         double sum = m_scale[a] * m_scale[b] * m_factor[a][b];

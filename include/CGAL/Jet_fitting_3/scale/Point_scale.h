@@ -32,6 +32,7 @@ struct Choice
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
+  std::size_t neighbors = 0;             ///< of the fit
 };
 
 /// Of the disk that has the area of the neighborhood.
@@ -58,6 +59,7 @@ struct Point_scale
   std::array<Choice, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
   Choice in_ball;                   ///< for J_xx if it is to be a ball, of which there are higher orders, too
   Jet<double> jet{2};               ///< of the surface in the frame, with the digits of normal equations
+  Indices over_surface;             ///< from positions alone: those of a choice of degree 3 or 4 come first
   std::size_t level = 0;            ///< of the density of points, which has a ladder of its own
   bool is_chosen = true;            ///< false where no bias is known: no point of the subsample nearby, too few points
   bool has_neighbors = true;        ///< enough for any fit
@@ -81,7 +83,16 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       const Squared_bias& b = bias.in(shape)[degree - 2][j];
       if (!(b.value + v < least)) continue;
       least = b.value + v;
-      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.excess};
+      choice = {ladder.radii[j],
+                shape,
+                j,
+                degree,
+                b.value,
+                v,
+                b.most,
+                b.evidence,
+                fit.excess,
+                std::size_t(rungs[j].size(degree))};
     }
   return least;
 }
@@ -109,6 +120,7 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
 {
   Point_scale scale;
   scale.frame = local.frame;
+  scale.over_surface = local.over_surface;
   scale.is_chosen = choose(local, table[0], Shape::ball, 0, ladder, unknown, scale.normal) < unknown;
   for (std::size_t target = 1; target < number_of_targets; ++target) {
     Choice& choice = scale.curvatures[target - 1];
@@ -134,6 +146,22 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
                      yy * yy * squared_error(scale.curvatures[2]) + shrunk * shrunk);
   };
   return {error(monge.axes.x, monge.k1), error(monge.axes.y, monge.k2)};
+}
+
+/// A part of a ladder: what was chosen at a point, from positions alone, with the surfaces that cut for it.
+inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local)
+{
+  std::vector<bool> is_looked_at(local.looks.size()), is_cut(local.looks.size());
+  for (const Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]}) {
+    is_looked_at[c->rung] = true;
+    if (c->degree == 2) continue;
+    is_cut[c->rung] = true;
+    is_looked_at[local.looks[c->rung].surface] = true;
+  }
+  std::vector<Look> looks;
+  for (const Look& look : local.looks)
+    if (is_looked_at[look.rung]) looks.push_back({look.rung, is_cut[look.rung], look.surface});
+  return looks;
 }
 
 /// What is worth a look near a point where this was chosen.

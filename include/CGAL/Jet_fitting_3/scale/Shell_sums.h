@@ -7,6 +7,8 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_SHELL_SUMS_H
 #define CGAL_JET_FITTING_3_SCALE_SHELL_SUMS_H
 
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/monomials.h>
 
@@ -34,28 +36,23 @@ struct Shell_sums
   /// Number of neighbors.
   double size() const { return moments[0]; }
 
-  /// A neighbor without normal.
-  void add(double u, double v, double height)
+  /// Neighbors without normals: (u, v, height).
+  /// \tparam degree of fits, at most: only sums for these are formed
+  template <std::size_t degree>
+  void add(const Vector_3<double>* neighbors, std::size_t count)
   {
-    double m[number_of_jet_coefficients(2 * highest_degree)];
-    add(u, v, height, m);
-  }
-
-  /// A neighbor without normal, for a fit of degree 2 at most: only these sums are formed.
-  void add_for_degree_2(double u, double v, double height)
-  {
-    double m[number_of_jet_coefficients(4)];
-    monomials<4>(u, v, m);
-    for (std::size_t k = 0; k < number_of_jet_coefficients(4); ++k) moments[k] += m[k];
-    for (std::size_t k = 0; k < number_of_jet_coefficients(2); ++k) heights[k] += height * m[k];
-    squared_heights += height * height;
+    numeric::add_moments<2 * degree, degree>(neighbors, count, moments.data(), heights.data());
+    for (std::size_t k = 0; k < count; ++k) squared_heights += neighbors[k].z * neighbors[k].z;
   }
 
   /// A neighbor whose normal gives the slopes.
   void add(double u, double v, double height, double slope_u, double slope_v, double lever)
   {
     double m[number_of_jet_coefficients(2 * highest_degree)];
-    add(u, v, height, m);
+    monomials<2 * highest_degree>(u, v, m);
+    for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
+    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
+    squared_heights += height * height;
     for (std::size_t k = 0; k < slopes_u.size(); ++k) slopes_u[k] += slope_u * m[k];
     for (std::size_t k = 0; k < slopes_v.size(); ++k) slopes_v[k] += slope_v * m[k];
     levers += lever;
@@ -76,15 +73,6 @@ struct Shell_sums
     levers += other.levers;
     squared_slopes += other.squared_slopes;
     return *this;
-  }
-
-private:
-  void add(double u, double v, double height, double* m)
-  {
-    monomials<2 * highest_degree>(u, v, m);
-    for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
-    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
-    squared_heights += height * height;
   }
 };
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -22,14 +23,34 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The first so many balls of a ladder, in lengths of the largest radius.
+/// A radius at which fits are made.
+struct Look
+{
+  static constexpr std::size_t to_be_found = std::numeric_limits<std::size_t>::max();
+
+  std::size_t rung;
+  bool is_cut;         ///< whether there are fits of degrees 3 and 4
+  std::size_t surface; ///< the rung, one of those looked at, whose fit of degree 2 is the surface that cuts for these
+};
+
+/// The first so many rungs of a ladder.
+inline std::vector<Look> look_at_all(std::size_t rungs)
+{
+  std::vector<Look> looks;
+  for (std::size_t j = 0; j < rungs; ++j) looks.push_back({j, true, Look::to_be_found});
+  return looks;
+}
+
+/// Balls of a ladder, by size, in lengths of the largest radius.
 class Balls
 {
 public:
-  Balls(const Ladder& ladder, std::size_t rungs) : m_unit(ladder.radii[rungs - 1])
+  Balls(const Ladder& ladder, const std::vector<Look>& looks) : m_unit(ladder.radii[looks.back().rung])
   {
-    for (std::size_t j = 0; j < rungs; ++j) m_squares.push_back(ladder.radii[j] * ladder.radii[j] / (m_unit * m_unit));
-    m_squares.back() = 1;
+    for (const Look& look : looks) {
+      const double radius = ladder.radii[look.rung] / m_unit;
+      m_squares.push_back(radius * radius);
+    }
   }
 
   double unit() const { return m_unit; }
@@ -49,48 +70,57 @@ private:
   std::vector<double> m_squares; // of the radii
 };
 
+/// The noise of a fit's height at a distance, where that of the second derivatives is most of it.
+inline double error_at(const Second_order& fit, double r)
+{
+  return std::sqrt((fit.covariance[2][2] + fit.covariance[3][3] + fit.covariance[4][4]) / 3) * r * r / 2;
+}
+
+/// Where they are to be found, for looks at all rungs: the first that noise does not move by more than a part of the
+/// radius at the rim.
+inline void find_surfaces(std::vector<Look>& looks, const std::vector<Second_order>& of_balls, const Ladder& ladder)
+{
+  constexpr double noise_at_rim = 0.094;
+  std::size_t p = std::min(ladder.frame, looks.size() - 1);
+  for (std::size_t j = 0; j < looks.size(); ++j) {
+    if (looks[j].surface != Look::to_be_found) continue;
+    while (p < j && !(error_at(of_balls[p], ladder.radii[j]) <= noise_at_rim * ladder.radii[j])) ++p;
+    looks[j].surface = p;
+  }
+}
+
 /// Which neighbors fits of degrees 3 and 4 have, from positions alone. A ball around the foot point cuts noise off at
 /// its rim, which is bias, most of all of degree 4, and a large one holds other sheets. So a smooth surface of degree 2
 /// stands for a neighbor: it counts if its place there is in the ball, and it is not far from it.
 class Surface_cut
 {
-  // What noise may move the surface by at the rim, and how far neighbors may be from it, per radius.
-  static constexpr double noise_at_rim = 0.094, farthest = 0.2;
+  static constexpr double farthest = 0.2; // neighbors from the surface, per radius
 
 public:
   /// \param of_balls fits of degree 2, one a ball
-  Surface_cut(const Balls& balls, const std::vector<Second_order>& of_balls, const Ladder& ladder)
-    : m_balls(balls), m_least_distance(6 * ladder.noise.position / balls.unit())
+  Surface_cut(const Balls& balls, const std::vector<Look>& looks, const std::vector<Second_order>& of_balls,
+              const Ladder& ladder)
+    : m_balls(balls), m_least_distance(6 * ladder.noise.position / balls.unit()), m_surfaces(looks.size())
   {
-    std::size_t p = std::min(ladder.frame, balls.size() - 1);
-    for (std::size_t j = 0; j < balls.size(); ++j) {
-      while (p < j && !(error_at(of_balls[p], ladder.radii[j]) <= noise_at_rim * ladder.radii[j])) ++p;
-      m_surfaces.push_back(surface(of_balls[p]));
+    for (std::size_t j = 0, k = 0; j < looks.size(); ++j) {
+      if (!looks[j].is_cut) continue;
+      while (looks[k].rung < looks[j].surface) ++k;
+      m_surfaces[j] = {true, surface(of_balls[k])};
     }
   }
 
-  /// The first ball that has a neighbor, given in lengths of its unit; their number if none has.
-  std::size_t first(double u, double v, double height) const
+  /// Whether ball j has a neighbor, given in lengths of its unit, as a function.
+  auto in_ball(std::size_t j) const
   {
-    const double square = u * u + v * v;
-    std::size_t j = m_balls.first(square);
-    for (; j < m_balls.size(); ++j) {
-      const std::array<double, 6>& c = m_surfaces[j];
-      const double h = c[0] + c[1] * u + c[2] * v + c[3] * u * u + c[4] * u * v + c[5] * v * v, s = square + h * h;
-      const double distance = std::abs(height - h);
-      if (s <= m_balls.square(j) && (distance <= m_least_distance || distance * distance <= farthest * farthest * s))
-        break;
-    }
-    return j;
+    const double in = m_surfaces[j].cuts ? m_balls.square(j) : -1, nearest = m_least_distance * m_least_distance;
+    return [in, nearest, c = m_surfaces[j].heights](const Vector_3<double>& s) {
+      const double u = s.x, v = s.y, h = c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
+      const double square = u * u + v * v + h * h, distance = (s.z - h) * (s.z - h);
+      return bool((square <= in) & (distance <= std::max(nearest, farthest * farthest * square)));
+    };
   }
 
 private:
-  // Of the height at a distance, where noise of the second derivatives is most of it.
-  static double error_at(const Second_order& fit, double r)
-  {
-    return std::sqrt((fit.covariance[2][2] + fit.covariance[3][3] + fit.covariance[4][4]) / 3) * r * r / 2;
-  }
-
   std::array<double, 6> surface(const Second_order& fit) const
   {
     const auto& q = fit.value;
@@ -98,9 +128,15 @@ private:
     return {fit.height / unit, q[0], q[1], unit * q[2] / 2, unit * std::sqrt(0.5) * q[3], unit * q[4] / 2};
   }
 
+  struct Surface
+  {
+    bool cuts = false;
+    std::array<double, 6> heights{};
+  };
+
   const Balls& m_balls;
   double m_least_distance;
-  std::vector<std::array<double, 6>> m_surfaces; // one a ball
+  std::vector<Surface> m_surfaces; // one a ball
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

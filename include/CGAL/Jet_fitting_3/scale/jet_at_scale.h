@@ -63,13 +63,31 @@ Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_f
   return fit_to_samples(cloud, inside(cloud, near, frame, radius), frame, radius, degree, noise, solver);
 }
 
-/// To the neighbors of a candidate. \param near holds the neighbors within reach() of it, and perhaps others
-template <class Solver>
-Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Choice& choice,
-                           const Ladder& ladder, Solver& solver)
+/// The neighbors of a choice. \param near holds the neighbors within reach() of it, and perhaps others
+inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& c)
 {
-  const Indices inside = neighbors_of_fit(cloud, near, frame, ladder, choice.shape, choice.rung, choice.degree);
-  return fit_to_samples(cloud, inside, frame, choice.radius, choice.degree, ladder.noise, solver);
+  if (cloud.has_normals() || c.degree == 2) return inside(cloud, near, scale.frame, c.radius, c.shape);
+  return Indices(scale.over_surface.begin(), scale.over_surface.begin() + std::ptrdiff_t(c.neighbors));
+}
+
+/// To them.
+template <class Solver>
+Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& choice,
+                           const Noise& noise, Solver& solver)
+{
+  return fit_to_samples(cloud, neighbors_of_choice(cloud, near, scale, choice), scale.frame, choice.radius,
+                        choice.degree, noise, solver);
+}
+
+/// Of a degree for which no choice is made, with the ball of J_xx.
+template <class Solver>
+Jet_fit<double> fit_of_higher_degree(const Cloud& cloud, const Indices& near, const Point_scale& scale,
+                                     std::size_t degree, const Ladder& ladder, Solver& solver)
+{
+  const Choice& c = scale.in_ball;
+  const Indices neighbors = cloud.has_normals() ? inside(cloud, near, scale.frame, c.radius)
+                                                : neighbors_over_surface(cloud, near, scale.frame, ladder, c.rung);
+  return fit_to_samples(cloud, neighbors, scale.frame, c.radius, degree, ladder.noise, solver).fit;
 }
 
 /// Whether noise leaves fewer digits than normal equations. Not with normals: what is compared leaves the defect of the
@@ -95,17 +113,17 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
     for (const auto& known : fits)
       if (known.first.shape == c.shape && known.first.rung == c.rung && known.first.degree == c.degree)
         return known.second;
-    const Jet_fit<double> fit = fit_of_choice(cloud, near, scale.frame, c, ladder, solver).fit;
+    const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, c, ladder.noise, solver).fit;
     is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree);
     fits.emplace_back(c, fit.jet);
     return fits.back().second;
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
   if (order > 2) {
-    Choice higher = scale.in_ball;
-    higher.degree = std::max(order, highest_degree);
-    const Jet<double> of_order = fitted(higher);
-    for (std::size_t k = 3; k <= order; ++k) std::copy_n(of_order.part(k), k + 1, jet.part(k));
+    const std::size_t degree = std::max(order, highest_degree);
+    const Jet_fit<double> fit = fit_of_higher_degree(cloud, near, scale, degree, ladder, solver);
+    is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
+    for (std::size_t k = 3; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
   }
   if (scale.is_chosen && noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius)) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_NUMERIC_MOMENT_SUMS_H
+#define CGAL_JET_FITTING_3_NUMERIC_MOMENT_SUMS_H
+
+#include <CGAL/Jet_fitting_3/numeric/Pack.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace numeric {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+namespace moment_sums {
+
+constexpr std::size_t lanes = (std::max)(2, native_lanes<double>());
+using Lanes = Pack<double, int(lanes)>;
+
+// Some of them side by side; where there are no more, of weight 0.
+struct Samples
+{
+  Lanes x = 0, y = 0, z = 0, weight = 0;
+
+  Samples(const Vector_3<double>* samples, std::size_t first, std::size_t count)
+  {
+    for (std::size_t i = 0; i < lanes && first + i < count; ++i) {
+      const Vector_3<double>& s = samples[first + i];
+      x.set(int(i), s.x);
+      y.set(int(i), s.y);
+      z.set(int(i), s.z);
+      weight.set(int(i), 1);
+    }
+  }
+};
+
+// Sums for x^i y^j at [j][i], up to an order.
+template <std::size_t order>
+struct Sums
+{
+  Lanes of[order + 1][order + 1];
+
+  Sums()
+  {
+    for (std::size_t j = 0; j <= order; ++j)
+      for (std::size_t i = 0; i + j <= order; ++i) of[j][i] = 0;
+  }
+
+  void add_to(double* moments) const
+  {
+    for (std::size_t j = 0; j <= order; ++j)
+      for (std::size_t i = 0; i + j <= order; ++i)
+        for (std::size_t lane = 0; lane < lanes; ++lane) moments[(i + j) * (i + j + 1) / 2 + j] += of[j][i][int(lane)];
+  }
+};
+
+// Two packs at a time, so that each sum is touched half as often.
+template <std::size_t order, std::size_t degree>
+void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<degree>& of_heights)
+{
+  Lanes powers_of_a[order + 1], powers_of_b[order + 1];
+  powers_of_a[0] = a.weight;
+  powers_of_b[0] = b.weight;
+  for (std::size_t i = 1; i <= order; ++i) {
+    powers_of_a[i] = powers_of_a[i - 1] * a.x;
+    powers_of_b[i] = powers_of_b[i - 1] * b.x;
+  }
+  Lanes of_a = 1, of_b = 1; // y^j
+  for (std::size_t j = 0; j <= order; ++j) {
+    for (std::size_t i = 0; i + j <= order; ++i)
+      of_terms.of[j][i] = of_terms.of[j][i] + (of_a * powers_of_a[i] + of_b * powers_of_b[i]);
+    if (j <= degree) {
+      const Lanes height_of_a = of_a * a.z, height_of_b = of_b * b.z;
+      for (std::size_t i = 0; i + j <= degree; ++i)
+        of_heights.of[j][i] = of_heights.of[j][i] + (height_of_a * powers_of_a[i] + height_of_b * powers_of_b[i]);
+    }
+    of_a = of_a * a.y;
+    of_b = of_b * b.y;
+  }
+}
+
+} // namespace moment_sums
+
+/// Adds what samples contribute to the sums of x^i y^j, up to an order, and of x^i y^j z, up to a degree. They are in
+/// the order 1, x, y, x^2, xy, y^2, ...
+template <std::size_t order, std::size_t degree>
+void add_moments(const Vector_3<double>* samples, std::size_t count, double* terms, double* heights)
+{
+  using namespace moment_sums;
+  Sums<order> of_terms;
+  Sums<degree> of_heights;
+  for (std::size_t k = 0; k < count; k += 2 * lanes) {
+    const Samples a(samples, k, count), b(samples, k + lanes, count);
+    add_powers(a, b, of_terms, of_heights);
+  }
+  of_terms.add_to(terms);
+  of_heights.add_to(heights);
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace numeric
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_NUMERIC_MOMENT_SUMS_H
