@@ -232,7 +232,7 @@ class Bias_fit
 {
 public:
   Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own, bool are_whole = true)
-    : m_means(means), m_ladder(ladder), m_order(order)
+    : m_means(means), m_ladder(ladder), m_order(order), m_are_whole(are_whole)
   {
     m_model.terms[order] = own;
     start();
@@ -281,10 +281,26 @@ private:
     for (std::size_t i = 0, k = m_order + 2; k <= highest_order; ++i, k += 2) {
       const double least = i > 0 && terms[k - 4] > 0 ? terms[k - 2] * terms[k - 2] / terms[k - 4] : 0;
       terms[k] = std::max(x[i], i > 0 ? 0.1 * least : 0.);
+    }
+    for (std::size_t k = m_order + 2; k <= highest_order; k += 2) {
+      if (!m_are_whole && !(terms[k] > 0)) terms[k] = 0.1 * between(k);
       terms[k - 1] = std::sqrt(terms[k] * terms[k - 2]);
     }
     const std::size_t k = highest_order; // the last may have a neighbor on one side only
     if ((k - m_order) % 2 == 1) terms[k] = terms[k - 2] > 0 ? terms[k - 1] * terms[k - 1] / terms[k - 2] : 0;
+  }
+
+  // The geometric mean of the term of two orders less and the next that there is, for their orders. The terms of a
+  // surface do not vanish between two others, for which disks that are not whole may take them.
+  double between(std::size_t k) const
+  {
+    const Of_orders& terms = m_model.terms;
+    for (std::size_t next = k + 2; next <= highest_order; next += 2)
+      if (terms[next] > 0) {
+        const double steps = double(next - k) / 2 + 1;
+        return std::pow(terms[k - 2], 1 - 1 / steps) * std::pow(terms[next], 1 / steps);
+      }
+    return 0;
   }
 
   void scale_odd_terms()
@@ -321,6 +337,7 @@ private:
   const Comparisons& m_means;
   const Ladder& m_ladder;
   std::size_t m_order;
+  bool m_are_whole;
   Bias_model m_model;
 };
 
