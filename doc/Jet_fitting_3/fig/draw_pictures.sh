@@ -18,7 +18,7 @@ of_bezier() {
   "$program" "$bezier" -q --no-quality --view 0.25,-0.7,1 --width 800 --height 620 "$@"
 }
 
-of_scan -d 4 -a 4 --color H --percentile 4 --picture mean_curvature.png
+of_scan --color H --percentile 4 --picture mean_curvature.png
 # figure 2 of the paper, principal directions on a scan
 of_scan -d 2 -a 5 --color none --draw directions --picture directions_scan.png
 # figure 3, principal directions on the Bezier surface

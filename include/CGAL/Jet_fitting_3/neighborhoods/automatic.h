@@ -33,8 +33,9 @@ namespace Jet_fitting {
 /// For a point set `degree_fitting` is not asked, but for the default of `degree_monge`, and coefficients of orders
 /// above 2 come from one fit, in the ball that was chosen for the larger curvature. Estimation_summary::quality() tells
 /// radius and degree, bias and standard deviation of the curvatures, infinite where nothing is known of the bias, and
-/// for meshes the error of third order coefficients, but nothing of one fit, of which there are several; nor is a
-/// status one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused.
+/// errors that contain the bias, of the curvatures and, for meshes, of third order coefficients; but nothing of one
+/// fit, of which there are several. Nor is a status one_sided or pca_ambiguous set. Weights, robust losses and standard
+/// errors are refused.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting
