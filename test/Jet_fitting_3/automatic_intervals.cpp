@@ -7,6 +7,7 @@
 // The errors of curvatures that automatic() tells for point sets contain the bias: intervals hold the truth. None of
 // these surfaces but the cylinder and the torus is among those for which constants were chosen.
 #include "check.h"
+#include "held_intervals.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/estimate_point_monge_forms.h>
@@ -111,28 +112,6 @@ struct Noisy_points
       truth.push_back(surface.place(u, uniform(random)));
       points.emplace_back(truth[i].point + vector(noise), truth[i].normal + vector(10 * noise));
     }
-  }
-};
-
-struct Intervals
-{
-  int held1 = 0, held2 = 0, count = 0; // how many held the truth, of k1, of k2
-  std::vector<double> growths;         // of intervals over those of the noise alone
-
-  double growth()
-  {
-    const auto middle = growths.begin() + std::ptrdiff_t(growths.size() / 2);
-    std::nth_element(growths.begin(), middle, growths.end());
-    return *middle;
-  }
-
-  void add(const Form& form, const Place& exact, const jets::Chosen_scale& scale)
-  {
-    const auto& e = scale.curvature_errors;
-    ++count;
-    held1 += std::abs(form.principal_curvatures(0) - exact.k1) <= 1.96 * e[0];
-    held2 += std::abs(form.principal_curvatures(1) - exact.k2) <= 1.96 * e[1];
-    growths.push_back(std::sqrt((e[0] * e[0] + e[1] * e[1]) / 2) / scale.standard_deviation);
   }
 };
 

@@ -8,11 +8,11 @@
 // surfaces but the ellipsoid's and the torus' kind is among those for which constants were chosen.
 #include "check.h"
 #include "double_mesh.h"
+#include "held_intervals.h"
 
 #include <CGAL/Jet_fitting_3/prepared/Vertex_estimator.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -57,28 +57,6 @@ std::vector<Analytic_mesh> surfaces()
   return all;
 }
 
-struct Intervals
-{
-  double held1 = 0, held2 = 0, count = 0; // how many held the truth, of k1, of k2
-  std::vector<double> growths;            // of intervals over those of the noise alone
-
-  double growth()
-  {
-    const auto middle = growths.begin() + std::ptrdiff_t(growths.size() / 2);
-    std::nth_element(growths.begin(), middle, growths.end());
-    return *middle;
-  }
-
-  void add(const Form& form, const Curvatures& exact, const jets::Chosen_scale& scale)
-  {
-    const auto& e = scale.curvature_errors;
-    ++count;
-    held1 += std::abs(form.principal_curvatures(0) - exact.k1) <= 1.96 * e[0];
-    held2 += std::abs(form.principal_curvatures(1) - exact.k2) <= 1.96 * e[1];
-    growths.push_back(std::sqrt((e[0] * e[0] + e[1] * e[1]) / 2) / scale.standard_deviation);
-  }
-};
-
 double mean_edge(const Mesh& mesh)
 {
   double sum = 0;
@@ -121,10 +99,10 @@ int main()
     for (const double noise : {0.01, 0.05, 0.2}) {
       Intervals found = intervals(exact, noise);
       const std::string name = exact.name + ", noise " + text(noise);
-      std::cout << name << ": k1 " << found.held1 / found.count << " k2 " << found.held2 / found.count << " growth "
-                << found.growth() << std::endl;
-      for (const double count : {found.held1, found.held2}) {
-        const double held = count / found.count;
+      std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
+                << " growth " << found.growth() << std::endl;
+      for (const int count : {found.held1, found.held2}) {
+        const double held = double(count) / found.count;
         check_ge(held, 0.8, name + ": part of the intervals that holds the truth");
         ++cases;
         good += held >= 0.9;

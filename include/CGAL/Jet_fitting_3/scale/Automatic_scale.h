@@ -163,8 +163,6 @@ private:
     scale.is_chosen = scale.has_neighbors = false;
     for (std::size_t level = 0; level < m_ladders.size() && !scale.has_neighbors; ++level) {
       const std::size_t rungs = fewest_rungs(m_ladders[level]);
-      m_within(i, reach(m_cloud, m_ladders[level], rungs), near);
-      if (double(near.size()) < least_neighbors_of(2)) continue;
       const Local_ladder local = local_ladder_at(i, m_ladders[level], {{m_ladders[level].first, rungs}}, near);
       scale.has_neighbors = has_neighbors(local, rung_of_neighbors(m_ladders[level]));
       scale.level = level;
@@ -226,8 +224,7 @@ private:
   std::vector<int> levels_of(const Indices& sample, double radius, const For_each& for_each) const
   {
     std::vector<int> own, levels(sample.size());
-    for (const double r : radii_of_least_neighbors(m_cloud, m_within, sample))
-      own.push_back(r > 0 ? level_of(r, radius) : 0);
+    for (const double r : radii_of_least_neighbors(m_cloud, m_within, sample)) own.push_back(level_of(r, radius));
     if (std::equal(own.begin() + 1, own.end(), own.begin())) return own;
     for_each(sample.size(), [&](std::size_t k) {
       Indices near;

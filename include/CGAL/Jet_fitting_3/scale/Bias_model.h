@@ -260,14 +260,19 @@ private:
     }
   }
 
+  static double weight(const Comparison& c, double predicted)
+  {
+    const double size = std::max({0., c.excess, predicted});
+    return 1 / (c.variance * c.variance + size * size / 4);
+  }
+
   void improve()
   {
     std::array<std::array<double, 3>, 3> a{};
     std::array<double, 3> y{};
     for (const Comparison& c : m_means) {
       if (!c.exists()) continue;
-      const double predicted = squared_bias(m_model.terms, c.terms), size = std::max({0., c.excess, predicted});
-      const double w = 1 / (c.variance * c.variance + size * size / 4);
+      const double w = weight(c, squared_bias(m_model.terms, c.terms));
       double known = 0;
       for (std::size_t k = m_order + 1; k <= highest_order; k += 2) known += m_model.terms[k] * c.terms[k];
       for (std::size_t i = 0; m_order + 2 + 2 * i <= highest_order; ++i) {
@@ -310,9 +315,8 @@ private:
       if (!c.exists()) continue;
       double odd = 0;
       for (std::size_t k = m_order + 1; k <= highest_order; k += 2) odd += m_model.terms[k] * c.terms[k];
-      const double predicted = squared_bias(m_model.terms, c.terms), size = std::max({0., c.excess, predicted});
-      const double w = 1 / (c.variance * c.variance + size * size / 4);
-      if (odd > 0) factor.add(w, odd, c.excess - (predicted - odd));
+      const double predicted = squared_bias(m_model.terms, c.terms);
+      if (odd > 0) factor.add(weight(c, predicted), odd, c.excess - (predicted - odd));
     }
     for (std::size_t k = m_order + 1; k <= highest_order; k += 2) m_model.terms[k] *= factor.within(0.02, 5);
   }

@@ -58,9 +58,10 @@ constexpr std::size_t least_neighbors = 45;
 /// straight border of the surface makes the radius 1.4 times as large, which is less than half a level.
 constexpr int steps_of_level = 4;
 
-/// The level at which a radius is, above that of a reference.
+/// The level at which a radius is, above that of a reference; 0 where points coincide, of which none tells the level.
 inline int level_of(double radius, double reference)
 {
+  if (!(radius > 0)) return 0;
   return int(std::lround(std::log(radius / reference) / (steps_of_level * std::log(ladder_step))));
 }
 

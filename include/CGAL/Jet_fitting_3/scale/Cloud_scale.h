@@ -34,7 +34,7 @@ struct Estimate_at_scale
   Basis_3<double> monge_axes;              ///< d1, d2, n, in world axes; n to the side of the normals if there are any
   Monge_coefficients<double> coefficients; ///< in the unit of the points
   std::array<double, 2> curvature_errors;  ///< standard errors of k1, k2, bias included
-  bool has_neighbors = true, is_determined = true; ///< enough of them, which determine it; else there is no form
+  bool is_determined = true;               ///< by the samples, if there are enough; else there is no form
 };
 
 /// \ingroup PkgJetFitting3Choice
@@ -65,8 +65,8 @@ public:
   {
     Estimate_at_scale e;
     e.choice = m_automatic(i, near);
-    e.has_neighbors = e.choice.has_neighbors;
-    if (!e.has_neighbors) return e;
+    e.is_determined = e.choice.has_neighbors;
+    if (!e.is_determined) return e;
     const Local_frame& frame = e.choice.frame;
     const std::optional<Jet<double>> found =
         jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(e.choice), solver);

@@ -54,6 +54,9 @@ enum class Shape
   along_y
 };
 
+/// The number of an ellipse, along x or along y, in what has one thing for each.
+constexpr std::size_t number_of_ellipse(Shape shape) { return shape == Shape::along_x ? 0 : 1; }
+
 /// How many times longer than wide ellipses are.
 constexpr double elongation = 3;
 

@@ -44,7 +44,7 @@ struct Local_ladder
 
   const std::vector<Rung>& of_shape(Shape shape) const
   {
-    return shape == Shape::ball ? candidates : elongated[shape == Shape::along_x ? 0 : 1];
+    return shape == Shape::ball ? candidates : elongated[number_of_ellipse(shape)];
   }
 
   std::vector<Look> looks; ///< from positions alone
@@ -329,7 +329,7 @@ inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near,
   result.frame = turned(frame, turn);
   result.candidates = turned(fits, turn.cosine, turn.sine);
   for (const Shape shape : {Shape::along_x, Shape::along_y}) {
-    const std::size_t k = shape == Shape::along_x ? 0 : 1;
+    const std::size_t k = number_of_ellipse(shape);
     if (wanted.elongated[k].end > 0)
       result.elongated[k] = turned(neighbors.fits(shape, wanted.elongated[k], turn.cosine, turn.sine), 1, 0);
   }

@@ -173,7 +173,7 @@ inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder)
   for (const Choice& c : scale.curvatures) {
     const std::size_t above = std::min(end, c.rung + 2);
     if (c.shape == Shape::ball) wanted.balls.end = std::max(wanted.balls.end, above);
-    else wanted.elongated[c.shape == Shape::along_x ? 0 : 1] = {std::max(ladder.first + 2, c.rung) - 2, above};
+    else wanted.elongated[number_of_ellipse(c.shape)] = {std::max(ladder.first + 2, c.rung) - 2, above};
   }
   return wanted;
 }

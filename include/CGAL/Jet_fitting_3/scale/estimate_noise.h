@@ -158,7 +158,7 @@ Density density(const Cloud& cloud, const Within& within, const Indices& places)
   if (!(result.radius > 0))
     throw Invalid_input("telling noise from the surface: at half of the places that were looked at " +
                         std::to_string(least_neighbors) + " points coincide");
-  for (const double radius : radii) result.levels.push_back(radius > 0 ? level_of(radius, result.radius) : 0);
+  for (const double radius : radii) result.levels.push_back(level_of(radius, result.radius));
   return result;
 }
 

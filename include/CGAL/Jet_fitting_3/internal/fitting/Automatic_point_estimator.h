@@ -141,8 +141,8 @@ private:
   {
     const std::size_t order = (std::max)(dprime, std::size_t(2));
     const scale::Estimate_at_scale chosen = m_learned->scale().estimate(i, order, m_solver, m_near);
-    if (!chosen.has_neighbors || !chosen.is_determined) {
-      result = {{}, chosen.has_neighbors ? Status_flag::rank_deficient : Status_flag::too_few_points, {}};
+    if (!chosen.is_determined) {
+      result = {{}, chosen.choice.has_neighbors ? Status_flag::rank_deficient : Status_flag::too_few_points, {}};
       return;
     }
     Local_estimate<double> e{};
