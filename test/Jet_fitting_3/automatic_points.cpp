@@ -8,6 +8,7 @@
 #include "check.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/estimate_noise.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/property_map.h>
 
@@ -257,6 +258,41 @@ void unknown_normals()
   }
 }
 
+// Points that a file has several times, up to rounding, are no further samples: noise and errors stay what they are.
+void near_copies(double apart)
+{
+  const double noise = 0.003;
+  Cloud cloud = noisy_torus(1500, noise);
+  const double once = rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud);
+  std::mt19937 random(13);
+  std::normal_distribution<double> normal;
+  const std::size_t size = cloud.points.size();
+  for (std::size_t i = 0; i < 2 * size; ++i) {
+    const Kernel::Vector_3 off(apart * normal(random), apart * normal(random), apart * normal(random));
+    cloud.points.emplace_back(cloud.points[i % size].first + off, cloud.points[i % size].second);
+    cloud.mean_curvature.push_back(cloud.mean_curvature[i % size]);
+  }
+  check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud), 1.2 * once, "each point three times");
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>());
+  const double found = CGAL::estimate_noise(cloud.points, np).position;
+  check_true(found > 0.75 * noise && found < 1.25 * noise, "noise of points three times: " + text(found));
+}
+
+// Lines of points twenty times as far apart as the points on them: an ellipse along a line has one line in it, which
+// tells nothing of the other direction.
+void lines_of_points()
+{
+  Cloud cloud;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j) {
+      const double x = (2 * i / 59. - 1) / 20, y = 2 * j / 59. - 1, p = 0.6 * x, q = -0.2 * y;
+      const double w = std::sqrt(1 + p * p + q * q);
+      cloud.points.emplace_back(Kernel::Point_3(x, y, 0.3 * x * x - 0.1 * y * y), Kernel::Vector_3(-p, -q, 1));
+      cloud.mean_curvature.push_back(((1 + q * q) * 0.6 + (1 + p * p) * -0.2) / (2 * w * w * w));
+    }
+  check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4, with_normals()), cloud), 0.001, "lines of points");
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -284,6 +320,8 @@ int main()
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);
   uneven_density();
   unknown_normals();
+  for (const double apart : {1e-9, 1e-4}) near_copies(apart);
+  lines_of_points();
   misuse();
   return result();
 }

@@ -20,7 +20,8 @@ namespace Jet_fitting {
 /// radii are compared, which tells their bias; each point takes those with the least bias and variance, the normal and
 /// each second derivative in principal axes for itself. From positions alone it takes the radii and degrees of the
 /// nearest point of the subsample, unless they are much worse for it. Radii begin where a ball holds about 45 points,
-/// with the density of points around. With Options::use_normals the jets are fitted to positions and normals; too few
+/// with the density of points around. Where many points are copies of others up to rounding, within a five-hundredth of
+/// that radius, those are no neighbors. With Options::use_normals the jets are fitted to positions and normals; too few
 /// normals around a point that are known (not zero) are too few points.
 ///
 /// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the

@@ -39,7 +39,7 @@ public:
                                                        : 1)
   {
     assemble(sums, height_weight, slope_weight, degree);
-    factorize(number_of_jet_coefficients(degree));
+    factorize(are_on_a_line(sums) ? 1 : number_of_jet_coefficients(degree));
   }
 
   /// Whether the samples determine a jet of this degree.
@@ -74,6 +74,14 @@ public:
   }
 
 private:
+  // Up to a thousandth of their extent. Second derivatives along the line would seem well known, but the fit as a whole
+  // takes the little by which a curve of the surface leaves its tangent for the other variable.
+  static bool are_on_a_line(const Shell_sums& sums)
+  {
+    const double uu = sums.moments[3], uv = sums.moments[4], vv = sums.moments[5];
+    return uu * vv - uv * uv <= 1e-6 * (uu + vv) * (uu + vv);
+  }
+
   void assemble(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree)
   {
     const auto moment = [&sums](std::size_t i, std::size_t j) { return sums.moments[monomial_index(i, j)]; };

@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
+#include <CGAL/Jet_fitting_3/scale/near_copies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,9 @@ public:
   Unit_cloud(const Tables& tables, const Unit_normals& normals)
     : m_places(offsets_from_middle(tables)), m_per_length(brought_to_unit_size(m_places)), m_normals(values(normals)),
       m_search(tables.samples, m_per_length)
-  {}
+  {
+    m_search.leave_out(scale::near_copies(cloud(), m_search));
+  }
 
   Unit_cloud(const Unit_cloud&) = delete;
   Unit_cloud& operator=(const Unit_cloud&) = delete;

@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -38,6 +39,9 @@ public:
   /// \param per_length how many units one length is: radii are given in units
   Ball_search(const Sample_set<Number>& samples, double per_length) : m_samples(samples), m_per_length(per_length) {}
 
+  /// Samples that are no neighbors: one flag each, or none.
+  void leave_out(std::vector<char> samples) { m_left_out = std::move(samples); }
+
   /// Replaces `found` by the sample and those of its side in the ball, in the order of their coordinates.
   void operator()(std::size_t sample, double radius, Indices& found) const
   {
@@ -46,6 +50,10 @@ public:
     Rows rows{found, {}};
     const Index s = static_cast<Index>(sample);
     search->within_radius(s, s + 1, radius / m_per_length, m_samples, rows);
+    if (!m_left_out.empty()) {
+      const auto is_left_out = [this](std::size_t k) { return m_left_out[k] != 0; };
+      found.erase(std::remove_if(found.begin(), found.end(), is_left_out), found.end());
+    }
     const std::lock_guard<Spin_mutex> lock(m_mutex);
     m_idle.push_back(std::move(search));
   }
@@ -75,6 +83,7 @@ private:
 
   const Sample_set<Number>& m_samples;
   double m_per_length;
+  std::vector<char> m_left_out;
   mutable Spin_mutex m_mutex;
   mutable std::vector<std::unique_ptr<Search>> m_idle;
 };
