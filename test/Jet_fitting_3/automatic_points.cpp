@@ -258,6 +258,30 @@ void unknown_normals()
   }
 }
 
+// One normal of four is known: neighbors without one do not count, so that two that have one are too few for degree 2.
+void few_known_normals()
+{
+  Cloud cloud = noisy_torus(3000, 0);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (i % 4 > 0) cloud.points[i].second = Kernel::Vector_3(0, 0, 0);
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  std::vector<Form> forms;
+  const auto summary =
+      CGAL::estimate_point_monge_forms(cloud.points, jets::nearest(8), std::back_inserter(forms), np, with_normals());
+  check_true(summary.estimated > 500 && summary.estimated < 2000, "some have three: " + text(summary.estimated));
+  std::size_t wild = 0;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (!summary.status(i).is_estimated()) {
+      check_true(summary.status(i).has(jets::Status_flag::too_few_points), "what the others lack");
+      continue;
+    }
+    const double k1 = forms[i].principal_curvatures(0), k2 = forms[i].principal_curvatures(1);
+    if (!((std::max)(std::abs(k1), std::abs(k2)) < 10)) ++wild;
+  }
+  check_le(double(wild), 0.01 * double(summary.estimated), "wild forms, of three points near a line");
+}
+
 // Points that a file has several times, up to rounding, are no further samples: noise and errors stay what they are.
 void near_copies(double apart)
 {
@@ -320,6 +344,7 @@ int main()
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);
   uneven_density();
   unknown_normals();
+  few_known_normals();
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
   misuse();

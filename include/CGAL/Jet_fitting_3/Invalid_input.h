@@ -58,11 +58,11 @@ inline void check_number_of_samples(std::size_t n, std::size_t d)
 }
 
 /// \ingroup PkgJetFitting3Results
-/// At least N_d / 3 samples with normals, which give three equations each. \throw Invalid_input otherwise
+/// At least so many samples with normals. \throw Invalid_input otherwise
 inline void check_number_of_oriented_samples(std::size_t n, std::size_t d)
 {
   check_number_of_samples((std::numeric_limits<std::size_t>::max)(), d);
-  const std::size_t least = (number_of_jet_coefficients(d) + 2) / 3;
+  const std::size_t least = least_number_of_oriented_samples(d);
   if (n < least)
     throw Invalid_input("a jet of degree " + std::to_string(d) + " needs " + std::to_string(least) +
                         " samples with normals or more: got " + std::to_string(n));

@@ -116,8 +116,9 @@ public:
   }
 
   /// The same from points with their normals, which are data as the points are: a fit to both (see fit_gauss_map())
-  /// needs fewer points, N_d / 3 or more, and has less noise, since a curvature is but one derivative away from a
-  /// normal. No PCA: pca_basis() has the basis of the fit, its z axis the normal of a fit of degree 2.
+  /// needs fewer points (least_number_of_oriented_samples(), about N_d / 3) and has less noise, since a curvature is
+  /// but one derivative away from a normal. No PCA: pca_basis() has the basis of the fit, its z axis the normal of a
+  /// fit of degree 2.
   ///
   /// \param begin the first of the points, p
   /// \param end behind the last of them

@@ -58,7 +58,7 @@ inline void check_options_for_normals(const Fit_options& options)
 /// \ingroup PkgJetFitting3Steps
 /// The four steps on samples with normals as data, relative to p, which end up in another unit of length and with other
 /// weights. The residual RMS is that of the heights. The parameters are those of estimate() without normals, the
-/// fitting basis being gauss_map_basis(); N_d / 3 samples may suffice.
+/// fitting basis being gauss_map_basis(); least_number_of_oriented_samples() may suffice.
 template <class FT, class Solver>
 Local_estimate<FT> estimate(Oriented_samples<FT>& samples, std::size_t degree, std::size_t dprime, Solver& solver,
                             const Fit_options& options)

@@ -294,8 +294,7 @@ Gauss_map_fit<FT> fit_gauss_map(Gauss_map_rows<FT>& rows, std::size_t degree, So
 ///
 /// The jet is found by the chain rule, heights_of_potential(). Orders of convergence are those of Theorem 2.1, for
 /// normals as well as for positions: a quantity of order k is accurate to O(h^(d-k+1)). Spheres and cylinders of any
-/// radius are exact from degree 2 on. Three equations for each sample: N_d / 3 samples may suffice; but 2 samples never
-/// determine degree 2, nor 5 samples degree 4 (the square of the conic through them changes none of their rows).
+/// radius are exact from degree 2 on. Three equations for each sample: least_number_of_oriented_samples() may suffice.
 ///
 /// \param samples lengths near 1 (see unit_of_length()), unit normals
 /// \param basis orthonormal and direct; its z axis near the normal at p (see gauss_map_basis()): a tilt t leaves an

@@ -22,6 +22,15 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
 
 /// \ingroup PkgJetFitting3Steps
+/// How many samples with normals, which bring three equations each, determine a d-jet if they lie in general: N_d / 3,
+/// rounded up. Degrees 2 and 4 take one more: the squares of the line through 2 points and of the conic through 5
+/// vanish there with their slopes. No other degree is such an exception (Alexander and Hirschowitz 1995).
+constexpr std::size_t least_number_of_oriented_samples(std::size_t degree)
+{
+  return (number_of_jet_coefficients(degree) + 2) / 3 + (degree == 2 || degree == 4 ? 1 : 0);
+}
+
+/// \ingroup PkgJetFitting3Steps
 /// The highest degree of a jet that is meant: 34! is the largest factorial that a float holds. Monomials of degree d
 /// lose about 4^d of the digits, so that beyond it those of a neighborhood cannot be told apart in any floating point
 /// type of the language (epsilon of an 80-bit long double is 2^-63).

@@ -81,7 +81,7 @@ public:
   {
     results.resize(block.size());
     const auto is_for_packs = [&](std::size_t row) {
-      return has_packs && block[row].size() >= Source::least_number_of_samples(m_d) &&
+      return has_packs && m_source.number_of_samples(block[row]) >= Source::least_number_of_samples(m_d) &&
              m_points.is_finite(block[row][0]) && is_finite_place(place_of, row);
     };
     if constexpr (has_packs) {
@@ -154,7 +154,7 @@ private:
     if (row.size() <= 1) trouble |= Status_flag::isolated;
     const std::size_t least_degree = m_options.lower_degree ? 1 : m_d;
     for (std::size_t d = m_d; d >= least_degree; --d) {
-      if (row.size() < Source::least_number_of_samples(d)) {
+      if (m_source.number_of_samples(row) < Source::least_number_of_samples(d)) {
         trouble |= Status_flag::too_few_points;
         continue;
       }

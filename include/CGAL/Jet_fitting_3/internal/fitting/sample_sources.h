@@ -42,6 +42,7 @@ public:
 
   /// How many samples a jet of degree d needs.
   static std::size_t least_number_of_samples(std::size_t d) { return number_of_jet_coefficients(d); }
+  static std::size_t number_of_samples(const Neighborhood_row& row) { return row.size(); }
 
   template <class Number>
   void gather(const Rows_of_lanes<Number>& rows, Samples<Number>& samples) const
@@ -79,10 +80,17 @@ public:
 
   const Point_table<Kernel>& points() const { return m_points; }
 
-  /// Each brings three equations; one sample alone leaves all but the normal open.
+  /// One sample alone leaves all but the normal open.
   static std::size_t least_number_of_samples(std::size_t d)
   {
-    return (std::max)(std::size_t(2), (number_of_jet_coefficients(d) + 2) / 3);
+    return (std::max)(std::size_t(2), least_number_of_oriented_samples(d));
+  }
+
+  std::size_t number_of_samples(const Neighborhood_row& row) const
+  {
+    if (m_normals.all_are_known()) return row.size();
+    const auto is_known = [this](Index i) { return m_normals.is_known(i); };
+    return std::size_t(std::count_if(row.first, row.last, is_known));
   }
 
   template <class Number>
