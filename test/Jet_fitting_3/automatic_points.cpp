@@ -317,6 +317,33 @@ void lines_of_points()
   check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4, with_normals()), cloud), 0.001, "lines of points");
 }
 
+// No degree above the one that is given is taken, and without one degree_monge may be any.
+void highest_degree()
+{
+  const Cloud cloud = noisy_torus(2000, 0);
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  for (const bool normals : {false, true}) {
+    const auto highest_chosen = [&](std::size_t degree) {
+      std::vector<Form> forms;
+      const auto summary =
+          CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                           np.degree_fitting(degree), normals ? with_normals() : jets::Options());
+      std::size_t highest = 0;
+      for (std::size_t d = 2; d <= 6; ++d)
+        if (summary.count_of_degree(d) > 0) highest = d;
+      check_equal(forms.front().coefficients().size(), jets::number_of_monge_coefficients(degree), "order of forms");
+      return highest;
+    };
+    check_equal(highest_chosen(2), 2u, "degree_fitting 2");
+    check_equal(highest_chosen(4), 4u, "degree_fitting 4");
+    check_throws<jets::Invalid_input>([&] { highest_chosen(1); }, {"degree_fitting", "got 1"}, "degree_fitting 1");
+  }
+  std::vector<Form> forms;
+  CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np.degree_monge(5));
+  check_equal(forms.front().coefficients().size(), jets::number_of_monge_coefficients(5), "degree_monge 5");
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -347,6 +374,7 @@ int main()
   few_known_normals();
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
+  highest_degree();
   misuse();
   return result();
 }

@@ -28,15 +28,14 @@ namespace Jet_fitting {
 /// weights of least variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which
 /// may differ from part to part. The noise is estimated or given likewise; if edges differ by more than four times, it
 /// is estimated for each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24
-/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself. `degree_fitting`,
-/// if it is given, is the highest degree that is tried; without it `degree_monge` may be any.
+/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself.
 ///
-/// For a point set `degree_fitting` is not asked, but for the default of `degree_monge`, and coefficients of orders
-/// above 2 come from one fit, in the ball that was chosen for the larger curvature. Estimation_summary::quality() tells
-/// radius and degree, bias and standard deviation of the curvatures, infinite where nothing is known of the bias, and
-/// errors that contain the bias, of the curvatures and, for meshes, of third order coefficients; but nothing of one
-/// fit, of which there are several. Nor is a status one_sided or pca_ambiguous set. Weights, robust losses and standard
-/// errors are refused.
+/// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
+/// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was chosen
+/// for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard deviation of the
+/// curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures and, for
+/// meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is a status one_sided or
+/// pca_ambiguous set. Weights, robust losses and standard errors are refused.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

@@ -53,11 +53,12 @@ public:
   /// \param within neighbors
   /// \param for_each for_each(count, body) calls body(k) once for each k below count, in any order, from any threads
   /// \param noise if it is known
+  /// \param highest_choice the highest degree that may be chosen
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Automatic_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-                  const std::optional<Noise>& noise = std::nullopt)
-    : m_cloud(cloud), m_within(within)
+                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
+    : m_cloud(cloud), m_within(within), m_highest_choice(highest_choice)
   {
     const Indices some = places_for_noise(cloud);
     const Density of_some = density(cloud, within, some);
@@ -187,7 +188,7 @@ private:
       m_ladders.push_back(
           ladder_of_cloud(radius * scale_of_level(level),
                           knows_noise || *least == *most ? m_noise : noise_of_level(sample, levels, level, radius),
-                          m_cloud.has_normals()));
+                          m_cloud.has_normals(), m_highest_choice));
     for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
 
     std::vector<Local_ladder> ladders(sample.size());
@@ -327,6 +328,7 @@ private:
 
   Cloud m_cloud;
   Within m_within;
+  std::size_t m_highest_choice;
   Noise m_noise;
   std::vector<Ladder> m_ladders;        // of all levels
   std::vector<std::uint32_t> m_learned; // for each point its place in the subsample

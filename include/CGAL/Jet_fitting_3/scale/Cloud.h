@@ -42,7 +42,8 @@ struct Ladder
   std::size_t axes;            ///< where the principal directions are taken
   std::size_t first_reference; ///< the smallest ball with which candidates are compared
   Noise noise;
-  bool with_normals; ///< as data: fits are of the potential of the Gauss map
+  bool with_normals;          ///< as data: fits are of the potential of the Gauss map
+  std::size_t highest_choice; ///< the highest degree that may be chosen
 
   /// The radius of the patch over which the bias is averaged: a compromise between the bias of one place, and chance.
   double patch() const { return radii[radii.size() - 2]; }
@@ -72,11 +73,12 @@ inline double scale_of_level(int level) { return std::pow(ladder_step, steps_of_
 constexpr std::size_t least_rungs = 10;
 
 /// From the radius that holds least_neighbors.
-inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals)
+inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals, std::size_t highest_choice)
 {
   Ladder ladder;
   ladder.noise = noise;
   ladder.with_normals = has_normals;
+  ladder.highest_choice = highest_choice;
   const auto reaches = [&](double multiple) {
     std::size_t j = 0;
     double r = least_radius;

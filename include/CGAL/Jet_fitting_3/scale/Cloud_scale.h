@@ -45,13 +45,13 @@ class Cloud_scale
 public:
   /// \param points best of a size near 1
   /// \param normals of length 1, as many as points; or none
-  /// \param within, for_each, noise see Automatic_scale
+  /// \param within, for_each, noise, highest_choice see Automatic_scale
   /// \throw Invalid_input if there are too few points, or another number of normals
   template <class For_each = One_by_one>
   Cloud_scale(const std::vector<Vector_3<double>>& points, const std::vector<Vector_3<double>>& normals,
               const Within& within, const For_each& for_each = For_each(),
-              const std::optional<Noise>& noise = std::nullopt)
-    : m_cloud(cloud_of(points, normals)), m_automatic(m_cloud, within, for_each, noise)
+              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
+    : m_cloud(cloud_of(points, normals)), m_automatic(m_cloud, within, for_each, noise, highest_choice)
   {}
 
   /// Of the whole cloud.

@@ -76,7 +76,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
 {
   const std::vector<Rung>& rungs = local.of_shape(shape);
   for (std::size_t j = ladder.first; j < rungs.size(); ++j)
-    for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
+    for (std::size_t degree = 2; degree <= ladder.highest_choice; ++degree) {
       if (!is_candidate(target, degree) || rungs[j].size(degree) < least_neighbors_of(degree)) continue;
       const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);

@@ -120,7 +120,7 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
   if (order > 2) {
-    const std::size_t degree = std::max(order, highest_degree);
+    const std::size_t degree = std::max(order, ladder.highest_choice);
     const Jet_fit<double> fit = fit_of_higher_degree(cloud, near, scale, degree, ladder, solver);
     is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
     for (std::size_t k = 3; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));

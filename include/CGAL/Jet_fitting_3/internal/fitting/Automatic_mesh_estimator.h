@@ -39,12 +39,6 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Of which order forms are, and the highest degree of the fits of which they are made.
-struct Automatic_degrees
-{
-  std::size_t order, highest;
-};
-
 /// Calls body(k) for each k below count, a few at a time, with a body for each thread.
 template <class ConcurrencyTag>
 struct For_each_with_body
@@ -173,11 +167,11 @@ public:
   Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Automatic_degrees& degrees,
                            const Options& options, bool for_places)
     : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order),
-      m_order_at_places((std::min)((std::max)(degrees.order, std::size_t(2)) + 1, degrees.highest))
+      m_order_at_places(degrees.order_at_places())
   {
     check_options_for_automatic(options);
+    check_degree_for_automatic(degrees.highest);
     if (options.use_normals) throw Invalid_input("automatic() on a mesh takes no normals as data yet");
-    if (degrees.highest < 2) throw Invalid_input("automatic() needs a degree_fitting of 2 or more: got 1");
     const std::size_t learned = for_places ? (std::max)(m_order_at_places, degrees.order) : degrees.order;
     m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables,
                                                                 Automatic_degrees{learned, degrees.highest}, options);

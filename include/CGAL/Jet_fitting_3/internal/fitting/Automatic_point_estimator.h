@@ -45,9 +45,11 @@ class Learned_scale
 
 public:
   template <class ConcurrencyTag>
-  Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, const Options& options)
-    : m_cloud(tables, normals), m_scale(m_cloud.places(), m_cloud.normals(), std::cref(m_cloud.search()),
-                                        For_each<ConcurrencyTag>(), noise(options))
+  Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, std::size_t highest_degree,
+                const Options& options)
+    : m_cloud(tables, normals),
+      m_scale(m_cloud.places(), m_cloud.normals(), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(),
+              noise(options), (std::min)(highest_degree, scale::highest_degree))
   {}
 
   const auto& scale() const { return m_scale; }
@@ -100,11 +102,12 @@ public:
   /// \throw Invalid_input if there are too few points, or options are set that have no use here
   template <class ConcurrencyTag>
   Automatic_point_estimator(ConcurrencyTag tag, const Sample_tables<Kernel>& tables, const Unit_normals& normals,
-                            std::size_t dprime, const Options& options)
-    : m_points(tables.points), m_dprime(dprime)
+                            const Automatic_degrees& degrees, const Options& options)
+    : m_points(tables.points), m_degrees(degrees)
   {
     check_options_for_automatic(options);
-    m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, options);
+    check_degree_for_automatic(degrees.highest);
+    m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, degrees.highest, options);
   }
 
   bool reports_quality() const { return true; }
@@ -119,7 +122,7 @@ public:
   {
     results.resize(block.size());
     for (std::size_t row = 0; row < block.size(); ++row) {
-      if constexpr (std::is_same<Place_of, At_samples>::value) estimate(block[row][0], m_dprime, results[row]);
+      if constexpr (std::is_same<Place_of, At_samples>::value) estimate(block[row][0], m_degrees.order, results[row]);
       else estimate_at(place_of(row), block[row], results[row]);
     }
   }
@@ -132,9 +135,9 @@ private:
     result = {};
     result.status = Status_flag::not_finite;
     if (row.size() == 0) return;
-    estimate(row[0], (std::max)(m_dprime, std::size_t(2)) + 1, result);
+    estimate(row[0], m_degrees.order_at_places(), result);
     const double radius = result.quality.empty() ? 0 : result.quality.front().scale.radius;
-    move_to_foot(result, place, radius, m_dprime);
+    move_to_foot(result, place, radius, m_degrees.order);
   }
 
   void estimate(Index i, std::size_t dprime, Result& result)
@@ -167,7 +170,7 @@ private:
   }
 
   const Point_table<Kernel>& m_points;
-  std::size_t m_dprime;
+  Automatic_degrees m_degrees;
   std::shared_ptr<const Learned_scale<Kernel>> m_learned;
   scale::Indices m_near;
   Orthogonal_solver<double> m_solver;

@@ -98,9 +98,8 @@ private:
   Estimator make_estimator(ConcurrencyTag tag, bool for_places) const
   {
     if constexpr (is_automatic) {
-      const std::size_t highest =
-          m_given.has_degree_fitting ? m_given.d : (std::max)(m_given.dprime, averaging::highest_degree);
-      return Automatic_mesh_estimator<Kernel>(tag, m_tables, {m_given.dprime, highest}, m_options, for_places);
+      const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
+      return Automatic_mesh_estimator<Kernel>(tag, m_tables, degrees, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);
   }
 

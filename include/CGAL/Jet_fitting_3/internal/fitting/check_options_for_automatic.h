@@ -30,6 +30,12 @@ inline void check_options_for_automatic(const Options& options)
   else check_noise(options);
 }
 
+/// \throw Invalid_input unless fits of the highest degree have curvatures
+inline void check_degree_for_automatic(std::size_t highest)
+{
+  if (highest < 2) throw Invalid_input("automatic() needs a degree_fitting of 2 or more: got 1");
+}
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace internal
 } // namespace Jet_fitting

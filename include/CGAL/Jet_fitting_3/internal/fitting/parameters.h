@@ -64,6 +64,12 @@ struct Estimation_parameters
     progress = choose_parameter(get_parameter(np, internal_np::callback), Progress());
   }
 
+  /// For automatic(). \param otherwise if degree_fitting is not given, unless degree_monge is higher
+  std::size_t highest_degree(std::size_t otherwise) const
+  {
+    return has_degree_fitting ? d : (std::max)(dprime, otherwise);
+  }
+
   std::size_t d, dprime;
   Progress progress;
 };

@@ -31,6 +31,15 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Of which order forms are, and the highest degree of the fits of which they are made.
+struct Automatic_degrees
+{
+  std::size_t order, highest;
+
+  /// At places that are no samples: one more, in which curvatures change on the way.
+  std::size_t order_at_places() const { return (std::min)((std::max)(order, std::size_t(2)) + 1, highest); }
+};
+
 /// Whether the directions of k1 >= k2 mean little, where these have such an error: flat and round places.
 inline bool is_near_umbilic(double k1, double k2, double error)
 {
