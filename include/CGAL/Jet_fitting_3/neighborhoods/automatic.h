@@ -31,11 +31,11 @@ namespace Jet_fitting {
 /// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
-/// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was chosen
-/// for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard deviation of the
-/// curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures and, for
-/// meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is a status one_sided or
-/// pca_ambiguous set. Weights, robust losses and standard errors are refused.
+/// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was
+/// chosen for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard deviation
+/// of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures
+/// and, for meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is a status
+/// one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting
