@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +47,7 @@ template <class Within>
 class Automatic_scale
 {
   static constexpr std::size_t stride = 25, places = 200;
+  static constexpr std::uint32_t sparse = 8; // so many times fewer than the subsample
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 public:
@@ -191,18 +193,23 @@ private:
                           m_cloud.has_normals(), m_highest_choice));
     for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
 
+    const Patches patches = patches_of(sample, for_each);
     std::vector<Local_ladder> ladders(sample.size());
-    std::vector<std::vector<std::uint32_t>> patches(sample.size());
     std::vector<Indices> close(sample.size());
-    for_each(sample.size(), [&](std::size_t k) {
+    std::vector<std::size_t> ends(sample.size());
+    for (std::size_t k = 0; k < sample.size(); ++k) ends[k] = m_ladders[m_levels[k]].radii.size();
+    const auto fit = [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       Indices near;
-      const Rung_range all{ladder.first, ladder.radii.size()};
+      const Rung_range all{ladder.first, ends[k]};
       ladders[k] = local_ladder_at(sample[k], ladder, {all, {all, all}}, near);
       Indices().swap(ladders[k].over_surface); // is not needed, and long
       if (m_ladders.size() == 1) close[k] = inside(m_cloud, near, {m_cloud.points[sample[k]], {}}, ladder.radii[1]);
-      for (const std::uint32_t member : learned_within(sample[k], ladder.patch(), near))
-        if (m_levels[member] == m_levels[k]) patches[k].push_back(member);
+    };
+    for_each((sample.size() + sparse - 1) / sparse, [&](std::size_t n) { fit(n * sparse); });
+    shorten_ladders(patches, ladders, for_each, ends);
+    for_each(sample.size(), [&](std::size_t k) {
+      if (k % sparse > 0) fit(k);
     });
     find_nearest(sample, close);
     m_tables.resize(sample.size());
@@ -210,14 +217,71 @@ private:
     m_wanted.resize(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
-      Patch_statistics::Patch patch;
-      for (const std::uint32_t member : patches[k]) patch.push_back(&ladders[member]);
-      m_tables[k] = bias_table(patch, ladder);
+      m_tables[k] = table_of(patches[k], ladders, ladder, ends[k]);
       const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
       m_chosen[k] = chosen_nearby(scale, ladders[k]);
-      m_wanted[k] = rungs_around(scale, ladder);
-      m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, fewest_rungs(ladder));
+      m_wanted[k] = rungs_around(scale, ladder, ends[k]);
+      m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, std::min(fewest_rungs(ladder), ends[k]));
     });
+  }
+
+  // For each of the subsample those of its level in the patch around it, in the order of their coordinates.
+  using Patches = std::vector<std::vector<std::uint32_t>>;
+
+  template <class For_each>
+  Patches patches_of(const Indices& sample, const For_each& for_each) const
+  {
+    const auto place = [&](std::uint32_t k) -> const Vector_3<double>& { return m_cloud.points[sample[k]]; };
+    std::vector<std::vector<std::uint32_t>> of_levels(m_ladders.size());
+    for (std::size_t k = 0; k < sample.size(); ++k) of_levels[m_levels[k]].push_back(std::uint32_t(k));
+    for (std::vector<std::uint32_t>& of_level : of_levels)
+      std::sort(of_level.begin(), of_level.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const Vector_3<double>&p = place(a), &q = place(b);
+        return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
+      });
+    Patches patches(sample.size());
+    for_each(sample.size(), [&](std::size_t k) {
+      const std::vector<std::uint32_t>& of_level = of_levels[m_levels[k]];
+      const Vector_3<double>& p = place(std::uint32_t(k));
+      const double radius = m_ladders[m_levels[k]].patch();
+      auto member = std::lower_bound(of_level.begin(), of_level.end(), p.x - radius,
+                                     [&](std::uint32_t other, double x) { return place(other).x < x; });
+      for (; member != of_level.end() && place(*member).x <= p.x + radius; ++member)
+        if (dot(place(*member) - p, place(*member) - p) <= radius * radius) patches[k].push_back(*member);
+    });
+    return patches;
+  }
+
+  // \param only every so many of the subsample
+  static Bias_table table_of(const std::vector<std::uint32_t>& members, const std::vector<Local_ladder>& ladders,
+                             const Ladder& ladder, std::size_t end, std::uint32_t only = 1)
+  {
+    Patch_statistics::Patch patch;
+    for (const std::uint32_t member : members)
+      if (member % only == 0) patch.push_back(&ladders[member]);
+    return bias_table(patch, ladder, end);
+  }
+
+  // Where a part of the subsample chooses small balls, mostly without noise, the others do without large ones: all that
+  // these could tell is that their bias is large. Not where principal directions would be taken in smaller balls.
+  template <class For_each>
+  void shorten_ladders(const Patches& patches, const std::vector<Local_ladder>& ladders, const For_each& for_each,
+                       std::vector<std::size_t>& ends) const
+  {
+    constexpr std::size_t spare = 1;
+    std::vector<std::size_t> chosen(ends.size());
+    for_each((ends.size() + sparse - 1) / sparse, [&](std::size_t n) {
+      const std::size_t k = n * sparse;
+      const Ladder& ladder = m_ladders[m_levels[k]];
+      const Point_scale scale = choose(ladders[k], table_of(patches[k], ladders, ladder, ends[k], sparse), ladder);
+      chosen[k] = scale.is_chosen ? rungs_around(scale, ladder, ends[k]).end() + spare : ends[k];
+    });
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const Ladder& ladder = m_ladders[m_levels[k]];
+      std::size_t end = 0;
+      for (const std::uint32_t member : patches[k]) end = std::max(end, chosen[member]);
+      if (end > 0 && end <= ladder.axes) ends[k] = std::max(end, ladder.frame + 1);
+    }
   }
 
   // Of the subsample.

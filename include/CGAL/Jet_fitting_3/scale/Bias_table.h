@@ -118,6 +118,7 @@ public:
   {
     double total = 0, sum = 0, n = 0;
     for (const Local_ladder* local : m_patch) {
+      if (local->of_shape(of_candidate.shape).size() <= of_candidate.rung) continue;
       const Turned_second_order &candidate = found(*local, of_candidate), &reference = found(*local, of_reference);
       const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
       if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
@@ -159,13 +160,21 @@ struct Bias_bounds
 
 /// The radii of the ladder as far as the balls of a patch grow with them: one that has gone around a closed surface, to
 /// where neighbors are of another side, gains no neighbors, and has the bias of the last.
-inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch, const Ladder& ladder, Shape shape)
+/// \param end of the rungs
+inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch, const Ladder& ladder, Shape shape,
+                                           std::size_t end)
 {
-  std::vector<double> result = ladder.radii, sizes(result.size(), 0);
-  for (const Local_ladder* local : patch)
-    for (std::size_t j = 0; j < sizes.size(); ++j) sizes[j] += local->of_shape(shape)[j].size(2);
-  for (std::size_t j = 1; j < sizes.size(); ++j)
-    result[j] = result[j - 1] * (sizes[j - 1] > 0 ? std::min(ladder_step, sizes[j] / sizes[j - 1]) : ladder_step);
+  std::vector<double> result(ladder.radii.begin(), ladder.radii.begin() + std::ptrdiff_t(end));
+  for (std::size_t j = 1; j < end; ++j) {
+    double smaller = 0, larger = 0;
+    for (const Local_ladder* local : patch) {
+      const std::vector<Rung>& rungs = local->of_shape(shape);
+      if (rungs.size() <= j) continue;
+      smaller += rungs[j - 1].size(2);
+      larger += rungs[j].size(2);
+    }
+    result[j] = result[j - 1] * (smaller > 0 ? std::min(ladder_step, larger / smaller) : ladder_step);
+  }
   return result;
 }
 
@@ -242,7 +251,7 @@ inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladd
 {
   double sum = 0;
   for (const Local_ladder* local : patch) {
-    const double k = local->candidates[ladder.axes].of_degree(2).value[2];
+    const double k = local->candidates[std::min(ladder.axes, local->candidates.size() - 1)].of_degree(2).value[2];
     sum += k * k;
   }
   return patch.empty() ? 0 : sum / double(patch.size());
@@ -267,15 +276,15 @@ inline void expect_falling_terms(Bias_table& table, double squared_curvature)
 
 /// Of a target in a shape.
 inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const Ladder& ladder, std::size_t target,
-                                   Shape shape)
+                                   Shape shape, std::size_t end)
 {
   Bias_in_shape result;
   const Patch_statistics statistics(patch, ladder, target);
-  const std::vector<double> radii = effective_radii(patch, ladder, shape);
+  const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
   const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
   for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
     if (!is_candidate(target, degree)) continue;
-    std::vector<Bias_bounds> bounds(ladder.radii.size());
+    std::vector<Bias_bounds> bounds(end);
     for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {
       bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j});
       if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
@@ -286,14 +295,14 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const L
   return result;
 }
 
-/// The table of a patch.
-inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder)
+/// The table of a patch, of the rungs below the end; some of the points may have been fitted at fewer.
+inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder& ladder, std::size_t end)
 {
   Bias_table table;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    table[target].in_balls = bias_in_shape(patch, ladder, target, Shape::ball);
+    table[target].in_balls = bias_in_shape(patch, ladder, target, Shape::ball, end);
     if (ladder.with_normals && long_shape(target) != Shape::ball)
-      table[target].in_ellipses = bias_in_shape(patch, ladder, target, long_shape(target));
+      table[target].in_ellipses = bias_in_shape(patch, ladder, target, long_shape(target), end);
   }
   if (!ladder.with_normals) expect_falling_terms(table, squared_curvature(patch, ladder));
   return table;

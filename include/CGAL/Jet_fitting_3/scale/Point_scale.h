@@ -75,7 +75,8 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
                      const Ladder& ladder, double least, Choice& choice)
 {
   const std::vector<Rung>& rungs = local.of_shape(shape);
-  for (std::size_t j = ladder.first; j < rungs.size(); ++j)
+  const std::size_t end = std::min(rungs.size(), bias.in(shape).front().size());
+  for (std::size_t j = ladder.first; j < end; ++j)
     for (std::size_t degree = 2; degree <= ladder.highest_choice; ++degree) {
       if (!is_candidate(target, degree) || rungs[j].size(degree) < least_neighbors_of(degree)) continue;
       const Turned_second_order& fit = rungs[j].of_degree(degree);
@@ -164,10 +165,9 @@ inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_l
   return looks;
 }
 
-/// What is worth a look near a point where this was chosen.
-inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder)
+/// What is worth a look near a point where this was chosen, of the rungs below an end.
+inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder, std::size_t end)
 {
-  const std::size_t end = ladder.radii.size();
   Wanted_rungs wanted;
   wanted.balls = {ladder.first, std::min(end, std::max(scale.normal.rung, scale.in_ball.rung) + 2)};
   for (const Choice& c : scale.curvatures) {
