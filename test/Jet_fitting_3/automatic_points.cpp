@@ -344,11 +344,51 @@ void highest_degree()
   check_equal(forms.front().coefficients().size(), jets::number_of_monge_coefficients(5), "degree_monge 5");
 }
 
+// With Loss::tukey outliers are left out: what remains is estimated as if they were not there. They have no form.
+void outliers(bool normals)
+{
+  Cloud cloud = noisy_torus(3000, 0.003);
+  std::mt19937 random(17);
+  std::normal_distribution<double> normal;
+  std::vector<bool> is_outlier(cloud.points.size());
+  for (std::size_t i = 0; i < cloud.points.size(); i += 20) {
+    is_outlier[i] = true;
+    cloud.points[i].first += 0.3 * Kernel::Vector_3(normal(random), normal(random), normal(random));
+  }
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  jets::Options options = normals ? with_normals() : jets::Options();
+  const auto rms = [&](jets::Loss loss) {
+    options.loss = loss;
+    std::vector<Form> forms;
+    const auto summary =
+        CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np, options);
+    double sum = 0;
+    std::size_t found = 0, wrong = 0;
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      if (summary.status(i).has(jets::Status_flag::outlier)) ++(is_outlier[i] ? found : wrong);
+      if (is_outlier[i] || !summary.status(i).is_estimated()) continue;
+      const double H = (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2;
+      sum += std::pow(H - cloud.mean_curvature[i], 2);
+    }
+    if (loss == jets::Loss::tukey) {
+      check_ge(double(found), 120., "outliers found of 150, some of which are near the surface");
+      check_le(double(wrong), 10., "others taken for outliers");
+      check_le(summary.noise.position, 0.0036, "noise without outliers");
+    }
+    return std::sqrt(sum / 2850);
+  };
+  const double without =
+      rms_error(forms_of(noisy_torus(3000, 0.003).points, jets::automatic(), 4, options), noisy_torus(3000, 0.003));
+  check_le(rms(jets::Loss::tukey), 1.5 * without, "errors beside outliers");
+  check_ge(rms(jets::Loss::least_squares), 1.5 * without, "errors if they are data");
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
   jets::Options options;
-  options.loss = jets::Loss::tukey;
+  options.loss = jets::Loss::huber;
   const auto call = [&] { forms_of(cloud.points, jets::automatic(), 2, options); };
   check_throws<jets::Invalid_input>(call, {"automatic", "robust"}, "a robust loss");
   options = {};
@@ -375,6 +415,7 @@ int main()
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
   highest_degree();
+  for (const bool normals : {false, true}) outliers(normals);
   misuse();
   return result();
 }

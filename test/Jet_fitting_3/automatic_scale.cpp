@@ -214,7 +214,7 @@ void order_of_the_questions()
 void monge_forms()
 {
   const Noisy_cloud noisy(on_torus, 0, 0);
-  const scale::Cloud_scale<Within> forms(noisy.points, noisy.normals, Within{&noisy.points});
+  const scale::Cloud_scale<Within> forms(noisy.cloud(true), Within{&noisy.points});
   jets::Orthogonal_solver<double> solver;
   Indices near;
   for (std::size_t i = 0; i < size; i += 100) {
@@ -277,8 +277,6 @@ void bad_clouds()
     scale::Automatic_scale<Within>({points.data(), nullptr, points.size()}, Within{&points});
   };
   test::check_throws<jets::Invalid_input>(automatic, {"45", "44"}, "too few points");
-  const auto other_normals = [&points] { scale::Cloud_scale<Within>(points, {Vector{0, 0, 1}}, Within{&points}); };
-  test::check_throws<jets::Invalid_input>(other_normals, {"1 normals", "44"}, "one normal");
   points.assign(100, Vector{1, 2, 3});
   test::check_throws<jets::Invalid_input>(automatic, {"coincide"}, "one point");
   points.clear(); // a line: no jet is determined, nothing is chosen, nothing throws

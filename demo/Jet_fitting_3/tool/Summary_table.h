@@ -42,6 +42,7 @@ inline const char* advice(CGAL::Jet_fitting::Status_flag flag)
   case Flag::pca_ambiguous:
     return "neighbors far from a plane: sharp edges (--sharp-angle auto), or too many neighbors";
   case Flag::few_points_for_robust_loss: return "too few neighbors to tell outliers: more of them (-a, -p, -r)";
+  case Flag::outlier: return "far from the surface of their neighbors: left out";
   default: return "";
   }
 }

@@ -22,7 +22,8 @@ inline constexpr CGAL::Jet_fitting::Status_flag all_flags[] = {
     CGAL::Jet_fitting::Status_flag::not_finite,     CGAL::Jet_fitting::Status_flag::too_few_points,
     CGAL::Jet_fitting::Status_flag::rank_deficient, CGAL::Jet_fitting::Status_flag::degree_lowered,
     CGAL::Jet_fitting::Status_flag::one_sided,      CGAL::Jet_fitting::Status_flag::near_umbilic,
-    CGAL::Jet_fitting::Status_flag::pca_ambiguous,  CGAL::Jet_fitting::Status_flag::few_points_for_robust_loss};
+    CGAL::Jet_fitting::Status_flag::pca_ambiguous,  CGAL::Jet_fitting::Status_flag::few_points_for_robust_loss,
+    CGAL::Jet_fitting::Status_flag::outlier};
 
 // What a reader of the file must know, in a few lines.
 inline std::vector<std::string> describe(const Arguments& a, const Name* colored)

@@ -76,7 +76,9 @@ inline std::size_t fill_up(Estimates& estimates, const Estimates& fixed)
 {
   std::size_t count = 0;
   for (std::size_t v = 0; v < estimates.size(); ++v) {
-    if (estimates.statuses[v].is_estimated() || !fixed.statuses[v].is_estimated()) continue;
+    const auto status = estimates.statuses[v];
+    if (status.is_estimated() || status.has(CGAL::Jet_fitting::Status_flag::outlier)) continue;
+    if (!fixed.statuses[v].is_estimated()) continue;
     estimates.forms[v] = fixed.forms[v];
     estimates.statuses[v] = fixed.statuses[v];
     ++count;

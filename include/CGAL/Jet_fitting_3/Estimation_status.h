@@ -17,8 +17,8 @@ namespace Jet_fitting {
 /// What there is to know about the estimation at one vertex or point. Several may hold at once.
 enum class Status_flag : std::uint16_t
 {
-  /// A form was written. Without it: skipped, for one of the next four reasons or the last; or not reached, if nothing
-  /// is set.
+  /// A form was written. Without it: skipped, for one of the next four reasons or the last two; or not reached, if
+  /// nothing is set.
   estimated = 1,
   /// No point in the neighborhood but the vertex itself.
   isolated = 2,
@@ -45,7 +45,10 @@ enum class Status_flag : std::uint16_t
   few_points_for_robust_loss = 512,
   /// Of a place that is no sample: the jet has no point closest to it over the samples. The place is beside them, or
   /// too far away.
-  beside_samples = 1024
+  beside_samples = 1024,
+  /// With automatic() and Loss::tukey: a robust fit of degree 2 to the 45 nearest points leaves this one no weight. It
+  /// is no neighbor of others, and has no form.
+  outlier = 2048
 };
 
 /// \ingroup PkgJetFitting3Results
@@ -107,7 +110,8 @@ inline std::ostream& operator<<(std::ostream& out, Estimation_status status)
                {Status_flag::near_umbilic, "near umbilic"},
                {Status_flag::pca_ambiguous, "pca ambiguous"},
                {Status_flag::few_points_for_robust_loss, "few points for the robust loss"},
-               {Status_flag::beside_samples, "beside the samples"}};
+               {Status_flag::beside_samples, "beside the samples"},
+               {Status_flag::outlier, "outlier"}};
   const char* separator = "";
   for (const auto& word : words) {
     if (!status.has(word.flag)) continue;

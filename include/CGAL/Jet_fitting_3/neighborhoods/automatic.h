@@ -35,7 +35,9 @@ namespace Jet_fitting {
 /// chosen for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard deviation
 /// of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures
 /// and, for meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is a status
-/// one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused.
+/// one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused, but
+/// for one: with Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or
+/// whose normal is as far from that fit with use_normals, are outliers (Status_flag::outlier): nobody's neighbors.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

@@ -180,8 +180,7 @@ private:
   template <class For_each>
   void learn_bias(double radius, bool knows_noise, const For_each& for_each)
   {
-    const Indices sample =
-        spread_indices(m_cloud.size, std::max<std::size_t>(1, std::min(stride, m_cloud.size / places)));
+    const Indices sample = spread_places(m_cloud, std::max<std::size_t>(1, std::min(stride, m_cloud.size / places)));
     m_learned.assign(m_cloud.size, none);
     for (std::size_t k = 0; k < sample.size(); ++k) m_learned[sample[k]] = std::uint32_t(k);
     const std::vector<int> levels = levels_of(sample, radius, for_each);
@@ -358,28 +357,35 @@ private:
   }
 
   // The point of the subsample that is nearest to point i, mostly in the smallest ball; where points are less dense
-  // than on a level, of a higher one.
+  // than on a level, of a higher one. Where they are as dense, of that level if there is one a little farther away: one
+  // of a higher level may be no point of the surface.
   std::uint32_t nearest_learned(std::size_t i, Indices& near) const
   {
-    constexpr std::size_t fewest = least_neighbors / 5; // a corner has a quarter of the least
+    constexpr std::size_t fewest = least_neighbors / 5, many = least_neighbors / 2; // a corner has a quarter
     std::uint32_t learned = m_nearest[i];
     for (std::size_t level = 0; level < m_ladders.size() && learned == none; ++level) {
       m_within(i, reach(m_cloud, m_ladders[level], 1), near);
-      if (near.size() >= fewest) learned = nearest_among(i, level, near);
+      if (near.size() < fewest) continue;
+      const std::uint32_t in_ball = nearest_among(i, level, m_ladders.size(), near);
+      learned = in_ball;
+      if (near.size() < many || (learned != none && m_levels[learned] == level)) continue;
+      m_within(i, reach(m_cloud, m_ladders[level], steps_of_level + 1), near);
+      learned = nearest_among(i, level, level + 1, near);
+      if (learned == none) learned = in_ball;
     }
     if (learned != none) return learned;
     m_within(i, reach(m_cloud, m_ladders.back(), fewest_rungs(m_ladders.back())), near);
-    return nearest_among(i, 0, near);
+    return nearest_among(i, 0, m_ladders.size(), near);
   }
 
-  // Of the level or a higher one.
-  std::uint32_t nearest_among(std::size_t i, std::size_t level, const Indices& near) const
+  // Of the levels from the first to before the last.
+  std::uint32_t nearest_among(std::size_t i, std::size_t first, std::size_t last, const Indices& near) const
   {
     std::uint32_t nearest = none;
     double least = unknown;
     for (const std::size_t k : near) {
       const std::uint32_t learned = m_learned[k];
-      if (learned == none || m_levels[learned] < level) continue;
+      if (learned == none || m_levels[learned] < first || m_levels[learned] >= last) continue;
       const Vector_3<double> d = m_cloud.points[k] - m_cloud.points[i];
       const double square = dot(d, d);
       if (square < least || (square == least && learned < nearest)) {

@@ -26,6 +26,7 @@ struct Cloud
   const Vector_3<double>* points;
   const Vector_3<double>* normals; ///< or null
   std::size_t size;
+  const char* outliers = nullptr; ///< one flag each, or null: they are nobody's neighbors, and nothing is learned there
 
   bool has_normals() const { return normals != nullptr; }
   /// Not where normals are data and that of the point is unknown, which is zero.

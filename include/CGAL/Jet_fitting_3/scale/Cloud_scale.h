@@ -7,7 +7,6 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_CLOUD_SCALE_H
 #define CGAL_JET_FITTING_3_SCALE_CLOUD_SCALE_H
 
-#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
@@ -18,8 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -43,15 +40,13 @@ template <class Within>
 class Cloud_scale
 {
 public:
-  /// \param points best of a size near 1
-  /// \param normals of length 1, as many as points; or none
+  /// \param cloud best of a size near 1
   /// \param within, for_each, noise, highest_choice see Automatic_scale
-  /// \throw Invalid_input if there are too few points, or another number of normals
+  /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
-  Cloud_scale(const std::vector<Vector_3<double>>& points, const std::vector<Vector_3<double>>& normals,
-              const Within& within, const For_each& for_each = For_each(),
+  Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
               const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
-    : m_cloud(cloud_of(points, normals)), m_automatic(m_cloud, within, for_each, noise, highest_choice)
+    : m_cloud(cloud), m_automatic(cloud, within, for_each, noise, highest_choice)
   {}
 
   /// Of the whole cloud.
@@ -82,14 +77,6 @@ public:
   }
 
 private:
-  static Cloud cloud_of(const std::vector<Vector_3<double>>& points, const std::vector<Vector_3<double>>& normals)
-  {
-    if (!normals.empty() && normals.size() != points.size())
-      throw Invalid_input("an automatic choice of the neighborhood takes a normal for each point or none: here are " +
-                          std::to_string(normals.size()) + " normals of " + std::to_string(points.size()) + " points");
-    return {points.data(), normals.empty() ? nullptr : normals.data(), points.size()};
-  }
-
   Cloud m_cloud;
   Automatic_scale<Within> m_automatic;
 };

@@ -73,9 +73,19 @@ struct Residuals_of_balls
 /// At about so many places noise is estimated.
 constexpr std::size_t places_of_noise = 200;
 
+/// Points of a cloud that are spread over its order, but outliers.
+inline Indices spread_places(const Cloud& cloud, std::size_t stride)
+{
+  Indices result = spread_indices(cloud.size, stride);
+  if (cloud.outliers)
+    result.erase(std::remove_if(result.begin(), result.end(), [&](std::size_t i) { return cloud.outliers[i] != 0; }),
+                 result.end());
+  return result;
+}
+
 inline Indices places_for_noise(const Cloud& cloud)
 {
-  return spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / places_of_noise));
+  return spread_places(cloud, std::max<std::size_t>(1, cloud.size / places_of_noise));
 }
 
 /// A ball around a point with noise cuts the noise off at its rim, 2 s^2 / r^2 of the variance s^2 for large r.

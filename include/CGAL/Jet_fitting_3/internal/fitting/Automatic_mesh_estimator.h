@@ -169,7 +169,7 @@ public:
     : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order),
       m_order_at_places(degrees.order_at_places())
   {
-    check_options_for_automatic(options);
+    check_options_for_automatic(options, false);
     check_degree_for_automatic(degrees.highest);
     if (options.use_normals) throw Invalid_input("automatic() on a mesh takes no normals as data yet");
     const std::size_t learned = for_places ? (std::max)(m_order_at_places, degrees.order) : degrees.order;

@@ -48,11 +48,12 @@ public:
   Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, std::size_t highest_degree,
                 const Options& options)
     : m_cloud(tables, normals),
-      m_scale(m_cloud.places(), m_cloud.normals(), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(),
-              noise(options), (std::min)(highest_degree, scale::highest_degree))
+      m_scale(cloud<ConcurrencyTag>(options), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
+              (std::min)(highest_degree, scale::highest_degree))
   {}
 
   const auto& scale() const { return m_scale; }
+  bool is_outlier(Index sample) const { return m_cloud.is_outlier(sample); }
   /// How many units one length is.
   double per_length() const { return m_cloud.per_length(); }
   /// In lengths.
@@ -76,6 +77,14 @@ private:
       });
     }
   };
+
+  /// Without outliers, if they are to be found.
+  template <class ConcurrencyTag>
+  scale::Cloud cloud(const Options& options)
+  {
+    if (options.loss == Loss::tukey) m_cloud.leave_out_outliers(For_each<ConcurrencyTag>());
+    return m_cloud.cloud();
+  }
 
   /// The noise that the user gives, in units.
   std::optional<Noise> noise(const Options& options) const
@@ -105,7 +114,7 @@ public:
                             const Automatic_degrees& degrees, const Options& options)
     : m_points(tables.points), m_degrees(degrees)
   {
-    check_options_for_automatic(options);
+    check_options_for_automatic(options, true);
     check_degree_for_automatic(degrees.highest);
     m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, degrees.highest, options);
   }
@@ -142,6 +151,10 @@ private:
 
   void estimate(Index i, std::size_t dprime, Result& result)
   {
+    if (m_learned->is_outlier(i)) {
+      result = {{}, Status_flag::outlier, {}};
+      return;
+    }
     const std::size_t order = (std::max)(dprime, std::size_t(2));
     const scale::Estimate_at_scale chosen = m_learned->scale().estimate(i, order, m_solver, m_near);
     if (!chosen.is_determined) {

@@ -9,6 +9,7 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/internal/fitting/outliers.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Ball_search.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
@@ -52,8 +53,21 @@ public:
   const std::vector<Vector_3<double>>& normals() const { return m_normals; }
   scale::Cloud cloud() const
   {
-    return {m_places.data(), m_normals.empty() ? nullptr : m_normals.data(), m_places.size()};
+    return {m_places.data(), m_normals.empty() ? nullptr : m_normals.data(), m_places.size(),
+            m_outliers.empty() ? nullptr : m_outliers.data()};
   }
+  bool is_outlier(Index sample) const { return !m_outliers.empty() && m_outliers[sample]; }
+
+  /// Leaves out the outliers. \param for_each see Automatic_scale
+  template <class For_each>
+  void leave_out_outliers(const For_each& for_each)
+  {
+    for (int pass = 0; pass < 2; ++pass) { // in the second they hide no others
+      m_outliers = outliers(cloud(), m_search, for_each);
+      m_search.leave_out(m_outliers);
+    }
+  }
+
   const Search& search() const { return m_search; }
   /// How many units one length is.
   double per_length() const { return m_per_length; }
@@ -93,6 +107,7 @@ private:
   std::vector<Vector_3<double>> m_places; // of the samples, in units
   double m_per_length;
   std::vector<Vector_3<double>> m_normals;
+  std::vector<char> m_outliers; // flags, if they are left out
   Search m_search;
 };
 

@@ -39,8 +39,13 @@ public:
   /// \param per_length how many units one length is: radii are given in units
   Ball_search(const Sample_set<Number>& samples, double per_length) : m_samples(samples), m_per_length(per_length) {}
 
-  /// Samples that are no neighbors: one flag each, or none.
-  void leave_out(std::vector<char> samples) { m_left_out = std::move(samples); }
+  /// Further samples that are no neighbors: one flag each, or none.
+  void leave_out(const std::vector<char>& samples)
+  {
+    m_left_out.resize((std::max)(m_left_out.size(), samples.size()));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (samples[i]) m_left_out[i] = 1;
+  }
 
   /// Replaces `found` by the sample and those of its side in the ball, in the order of their coordinates.
   void operator()(std::size_t sample, double radius, Indices& found) const
