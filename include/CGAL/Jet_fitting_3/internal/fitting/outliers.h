@@ -39,31 +39,35 @@ inline Vector_3<double> unit_normal_of_quadric(const Jet<double>& jet, const Bas
 }
 
 /// Whether a fit of degree 2 with the loss of Tukey leaves no weight to the height of the first sample, or its normal
-/// is as far from that of the fit there: 4.685 robust standard deviations.
+/// is as far from that of the fit there: 4.685 robust standard deviations, and a millionth of
+/// the radius or of a radian, which rounding errors do not reach.
 /// \param normals of the samples, or none
+/// \param radius which the samples are within
 template <class Solver>
-bool is_first_outlier(Samples<double>& samples, const std::vector<Vector_3<double>>& normals, Solver& solver)
+bool is_first_outlier(Samples<double>& samples, const std::vector<Vector_3<double>>& normals, double radius,
+                      Solver& solver)
 {
-  constexpr double most = 4.685 / 1.1774; // medians of the length of a vector with two normal components
+  constexpr double rounding = 1e-6,
+                   most = 4.685 / 1.1774; // medians of the length of a vector with two normal components
   Fit_options options;
   options.loss = Loss::tukey;
   const auto basis = [](const Samples<double>& s) { return fitting_basis(s); };
   const Samples<double> offsets = samples;
   const Local_estimate<double> e = estimate(samples, 2, 2, basis, solver, options);
-  if (e.fit.robust_weights[0] == 0) return true;
+  if (e.fit.robust_weights[0] == 0 && std::abs(e.fit.jet(0, 0)) > rounding * radius) return true;
   std::vector<double> residuals;
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const Vector_3<double> n = unit_normal_of_quadric(e.fit.jet, e.fitting.axes, offsets[k]);
     residuals.push_back(std::sqrt(2 - 2 * std::min(1., std::abs(dot(n, normals[k])))));
   }
   if (residuals.empty()) return false;
-  const double of_first = residuals[0], rounding = 1e-6; // the root of some epsilons is 1e-8
+  const double of_first = residuals[0];
   return of_first > std::max(most * scale::median(residuals), rounding);
 }
 
-/// The same of point i and its neighbors. \param near they
+/// The same of point i and its neighbors. \param near those within a radius, i among them
 template <class Solver>
-bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size_t i, Solver& solver)
+bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size_t i, double radius, Solver& solver)
 {
   scale::Indices all{i};
   std::copy_if(near.begin(), near.end(), std::back_inserter(all),
@@ -76,7 +80,7 @@ bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size
     samples.set(k, cloud.points[all[k]] - cloud.points[i]);
     if (cloud.is_sample(i) && cloud.has_normals()) normals.push_back(cloud.normals[all[k]]);
   }
-  return is_first_outlier(samples, normals, solver);
+  return is_first_outlier(samples, normals, radius, solver);
 }
 
 /// Which points a robust fit to the least_neighbors nearest leaves no weight: one flag each. Of 3000 points of a torus
@@ -93,7 +97,7 @@ std::vector<char> outliers(const scale::Cloud& cloud, const Within& within, cons
     scale::Indices near;
     within(i, radii[i], near);
     Orthogonal_solver<double> solver;
-    result[i] = (cloud.outliers && cloud.outliers[i]) || is_outlier(cloud, near, i, solver);
+    result[i] = (cloud.outliers && cloud.outliers[i]) || is_outlier(cloud, near, i, radii[i], solver);
   });
   const std::size_t count = std::size_t(std::count(result.begin(), result.end(), char(1)));
   if (2 * count > cloud.size)
