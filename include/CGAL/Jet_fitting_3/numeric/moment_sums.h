@@ -31,13 +31,22 @@ struct Samples
 
   Samples(const Vector_3<double>* samples, std::size_t first, std::size_t count)
   {
-    for (std::size_t i = 0; i < lanes && first + i < count; ++i) {
-      const Vector_3<double>& s = samples[first + i];
-      x.set(int(i), s.x);
-      y.set(int(i), s.y);
-      z.set(int(i), s.z);
-      weight.set(int(i), 1);
+    if (first + lanes <= count) { // none has to be asked whether it is there
+      for (std::size_t i = 0; i < lanes; ++i) set(i, samples[first + i]);
+      weight = 1;
+    } else {
+      for (std::size_t i = 0; i < lanes && first + i < count; ++i) {
+        set(i, samples[first + i]);
+        weight.set(int(i), 1);
+      }
     }
+  }
+
+  void set(std::size_t i, const Vector_3<double>& s)
+  {
+    x.set(int(i), s.x);
+    y.set(int(i), s.y);
+    z.set(int(i), s.z);
   }
 };
 

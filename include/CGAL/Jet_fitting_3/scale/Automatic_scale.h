@@ -83,12 +83,13 @@ public:
     if (learned == none) return without_bias(i, near);
     const Chosen_nearby& nearby = m_chosen[learned];
     const Ladder& ladder = m_ladders[m_levels[learned]];
+    std::optional<Local_frame> frame;
     if (!nearby.looks.empty()) {
       const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1}, {}, nearby.looks};
-      const Point_scale scale = choose_at(i, learned, wanted, nearby.looks.front().rung, near);
+      const Point_scale scale = choose_at(i, learned, wanted, nearby.looks.front().rung, frame, near);
       if (is_as_good(scale, nearby)) return scale;
     }
-    const Point_scale scale = choose_at(i, learned, m_wanted[learned], rung_of_neighbors(ladder), near);
+    const Point_scale scale = choose_at(i, learned, m_wanted[learned], rung_of_neighbors(ladder), frame, near);
     return scale.is_chosen && scale.has_neighbors ? scale : without_bias(i, near);
   }
 
@@ -99,6 +100,7 @@ private:
     std::vector<Look> looks; // none if nothing was chosen
     std::array<double, number_of_targets> risks{};
     Vector_3<double> axis{0, 0, 0}; // the principal direction
+    double factor = 2;              // of these risks, above which another choice is looked for
   };
 
   static double risk(const Choice& c) { return c.squared_bias + c.variance; }
@@ -113,19 +115,23 @@ private:
 
   static bool is_as_good(const Point_scale& scale, const Chosen_nearby& nearby)
   {
-    constexpr double factor = 2;
+    const double factor = nearby.factor;
     bool result = scale.is_chosen && scale.has_neighbors && risk(scale.normal) <= factor * nearby.risks[0];
     for (std::size_t k = 0; k < 3; ++k) result = result && risk(scale.curvatures[k]) <= factor * nearby.risks[k + 1];
     return result;
   }
 
   // The choice at point i among these, by the bias that a point of the subsample has learned.
+  // \param frame that of the point, if it is there; else it is put there
   Point_scale choose_at(std::size_t i, std::uint32_t learned, const Wanted_rungs& wanted, std::size_t rung_of_neighbors,
-                        Indices& near) const
+                        std::optional<Local_frame>& frame, Indices& near) const
   {
     const Ladder& ladder = m_ladders[m_levels[learned]];
     const Chosen_nearby& nearby = m_chosen[learned];
-    const Local_ladder local = local_ladder_at(i, ladder, wanted, near, nearby.looks.empty() ? nullptr : &nearby.axis);
+    m_within(i, reach(m_cloud, ladder, wanted.end()), near);
+    if (!frame) frame = local_frame(m_cloud, near, i, ladder);
+    const Local_ladder local =
+        ladder_around(ladder, wanted, near, *frame, nearby.looks.empty() ? nullptr : &nearby.axis);
     Point_scale scale = choose(local, m_tables[learned], ladder);
     scale.level = m_levels[learned];
     scale.has_neighbors = has_neighbors(local, rung_of_neighbors);
@@ -135,12 +141,16 @@ private:
   // Those that the frame and the principal directions need.
   static std::size_t fewest_rungs(const Ladder& ladder) { return std::min(ladder.axes + 1, ladder.radii.size()); }
 
-  // \param axis the principal direction, about, from positions alone; or null
-  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, const Wanted_rungs& wanted, Indices& near,
-                               const Vector_3<double>* axis = nullptr) const
+  Local_ladder local_ladder_at(std::size_t i, const Ladder& ladder, const Wanted_rungs& wanted, Indices& near) const
   {
     m_within(i, reach(m_cloud, ladder, wanted.end()), near);
-    const Local_frame frame = local_frame(m_cloud, near, i, ladder);
+    return ladder_around(ladder, wanted, near, local_frame(m_cloud, near, i, ladder));
+  }
+
+  // \param axis the principal direction, about, from positions alone; or null
+  Local_ladder ladder_around(const Ladder& ladder, const Wanted_rungs& wanted, const Indices& near,
+                             const Local_frame& frame, const Vector_3<double>* axis = nullptr) const
+  {
     return m_cloud.has_normals() ? ladder_with_normals(m_cloud, near, frame, ladder, wanted)
                                  : ladder_of_positions(m_cloud, near, frame, ladder, wanted, axis);
   }
@@ -219,6 +229,7 @@ private:
       m_tables[k] = table_of(patches[k], ladders, ladder, ends[k]);
       const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
       m_chosen[k] = chosen_nearby(scale, ladders[k]);
+      if (ends[k] < ladder.radii.size()) m_chosen[k].factor = 8; // misfit is most of the noise, and that is by chance
       m_wanted[k] = rungs_around(scale, ladder, ends[k]);
       m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, std::min(fewest_rungs(ladder), ends[k]));
     });

@@ -74,6 +74,7 @@ inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame
                       Shape shape = Shape::ball)
 {
   Indices result;
+  result.reserve(near.size());
   for (const std::size_t i : near) {
     const Vector_3<double> d = cloud.points[i] - frame.origin;
     const double square = squared_radius(shape, dot(d, d), dot(d, frame.axes.x), dot(d, frame.axes.y));
@@ -142,6 +143,7 @@ inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_
   Shell_sums sums;
   const double factor = normal_factor(noise);
   std::vector<Vector_3<double>> heights;
+  heights.reserve(near.size());
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, factor);
     if (!s.is_there || s.square > radius * radius) continue;

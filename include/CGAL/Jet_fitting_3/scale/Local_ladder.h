@@ -89,6 +89,8 @@ public:
                      const std::vector<Look>& looks)
     : m_balls(ladder, looks)
   {
+    m_neighbors.reserve(near.size());
+    m_indices.reserve(near.size());
     for (const std::size_t i : near) {
       const Vector_3<double> r = (1 / m_balls.unit()) * frame.axes.in(cloud.points[i] - frame.origin);
       if (r.x * r.x + r.y * r.y > m_balls.square(m_balls.size() - 1)) continue;
@@ -136,6 +138,7 @@ public:
   Indices indices(const Shells& shells) const
   {
     Indices result;
+    result.reserve(shells.neighbors.size());
     for (const std::size_t k : shells.neighbors) result.push_back(m_indices[k]);
     return result;
   }
@@ -199,9 +202,10 @@ inline std::vector<Fits_of_radius> fits_to_positions(const Cloud& cloud, const I
   const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
   over_surface = neighbors.indices(shells);
   const std::vector<Shell_sums> sums = neighbors.sums<highest_degree>(shells);
-  std::vector<Fits_of_radius> result;
+  std::vector<Fits_of_radius> result(looks.size());
   for (std::size_t j = 0; j < looks.size(); ++j) {
-    result.push_back({{of_balls[j].size(), 0, 0}, {low[j], {}, {}}});
+    result[j].sizes[0] = of_balls[j].size();
+    result[j].fits[0] = low[j];
     if (looks[j].is_cut) {
       const Nested_fit fit(sums[j], weights.height, 0);
       result[j].sizes[1] = result[j].sizes[2] = sums[j].size();
@@ -227,6 +231,7 @@ public:
     : m_balls(ladder, look_at_all(rungs)), m_weights(cloud, ladder.noise, m_balls.unit())
   {
     const double factor = normal_factor(ladder.noise);
+    m_samples.reserve(near.size());
     for (const std::size_t i : near) {
       Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), factor);
       s.square /= m_balls.unit() * m_balls.unit();

@@ -25,7 +25,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// that grow with the degree. For choosing only, where seven digits suffice; what is reported is fitted anew.
 class Nested_fit
 {
-  static constexpr std::size_t n = number_of_unknowns;
+  static constexpr std::size_t n = number_of_unknowns, width = 16;
+  static_assert(n <= width && number_of_jet_coefficients(2) <= width / 2, "rows are long enough");
+  using Row = std::array<double, width>;
 
 public:
   /// \param height_weight 1 / s^2, in the unit of the sums; 0 leaves out the rows of heights, with them the constant
@@ -53,13 +55,16 @@ public:
     return m_scale[a] * sum;
   }
 
-  /// The covariance of two coefficients.
-  double covariance(std::size_t a, std::size_t b, std::size_t degree) const
+  /// The covariances of the coefficients of u, v, u^2, uv, v^2.
+  std::array<std::array<double, 5>, 5> covariance(std::size_t degree) const
   {
-    double sum = 0;
-    for (std::size_t k = a < b ? b : a; k < number_of_jet_coefficients(degree); ++k)
-      sum += m_inverse[k][a] * m_inverse[k][b];
-    return m_scale[a] * m_scale[b] * sum;
+    std::array<std::array<double, 5>, 5> result{};
+    for (std::size_t k = 1; k < number_of_jet_coefficients(degree); ++k)
+      for (std::size_t a = 0; a < 5; ++a)
+        for (std::size_t b = 0; b < 5; ++b) result[a][b] += m_inverse[k][a + 1] * m_inverse[k][b + 1];
+    for (std::size_t a = 0; a < 5; ++a)
+      for (std::size_t b = 0; b < 5; ++b) result[a][b] *= m_scale[a + 1] * m_scale[b + 1];
+    return result;
   }
 
   /// By how much the noise of the samples exceeds that of the weights, as a factor of variances, 1 at least. What the
@@ -82,69 +87,102 @@ private:
     return uu * vv - uv * uv <= 1e-6 * (uu + vv) * (uu + vv);
   }
 
-  void assemble(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree)
+  struct Exponents
   {
-    const auto moment = [&sums](std::size_t i, std::size_t j) { return sums.moments[monomial_index(i, j)]; };
-    const auto entry = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-      double e = height_weight * moment(i + k, j + l);
-      if (i > 0 && k > 0) e += slope_weight * double(i * k) * moment(i + k - 2, j + l);
-      if (j > 0 && l > 0) e += slope_weight * double(j * l) * moment(i + k, j + l - 2);
-      return e;
-    };
-    std::size_t a = 0;
-    for (std::size_t order = 0; order <= degree; ++order)
-      for (std::size_t j = 0; j <= order; ++j, ++a) {
-        const std::size_t i = order - j;
-        m_right[a] = height_weight * sums.heights[a];
-        if (i > 0) m_right[a] += slope_weight * double(i) * sums.slopes_u[monomial_index(i - 1, j)];
-        if (j > 0) m_right[a] += slope_weight * double(j) * sums.slopes_v[monomial_index(i, j - 1)];
-        std::size_t b = 0;
-        for (std::size_t order_b = 0; order_b <= order; ++order_b)
-          for (std::size_t l = 0; l <= order_b && b <= a; ++l, ++b) m_factor[a][b] = entry(i, j, order_b - l, l);
-      }
+    std::size_t i, j;
+  };
+
+  static constexpr std::array<Exponents, n> exponents()
+  {
+    std::array<Exponents, n> result{};
+    for (std::size_t order = 0, a = 0; order <= highest_degree; ++order)
+      for (std::size_t j = 0; j <= order; ++j, ++a) result[a] = {order - j, j};
+    return result;
   }
 
-  // In units in which the diagonal is 1. Ends at the first column that depends on those before.
+  void assemble(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree)
+  {
+    constexpr std::array<Exponents, n> powers = exponents();
+    for (std::size_t a = 0; a < number_of_jet_coefficients(degree); ++a) {
+      m_right[a] = height_weight * sums.heights[a];
+      for (std::size_t b = 0; b <= a; ++b)
+        m_factor[b][a] =
+            height_weight * sums.moments[monomial_index(powers[a].i + powers[b].i, powers[a].j + powers[b].j)];
+    }
+    if (slope_weight > 0) add_slopes(sums, slope_weight, degree);
+  }
+
+  void add_slopes(const Shell_sums& sums, double weight, std::size_t degree)
+  {
+    constexpr std::array<Exponents, n> powers = exponents();
+    for (std::size_t a = 0; a < number_of_jet_coefficients(degree); ++a) {
+      const auto [i, j] = powers[a];
+      if (i > 0) m_right[a] += weight * double(i) * sums.slopes_u[monomial_index(i - 1, j)];
+      if (j > 0) m_right[a] += weight * double(j) * sums.slopes_v[monomial_index(i, j - 1)];
+      for (std::size_t b = 0; b <= a; ++b) {
+        const auto [k, l] = powers[b];
+        double& e = m_factor[b][a];
+        if (i > 0 && k > 0) e += weight * double(i * k) * sums.moments[monomial_index(i + k - 2, j + l)];
+        if (j > 0 && l > 0) e += weight * double(j * l) * sums.moments[monomial_index(i + k, j + l - 2)];
+      }
+    }
+  }
+
+  // In units in which the diagonal is 1. Ends at the first column that depends on those before. Each column that is
+  // found is subtracted from all after it at once: sums one after the other would wait for each other's additions.
   void factorize(std::size_t count)
   {
     m_rank = count;
     for (std::size_t a = 0; a < count; ++a) m_scale[a] = m_factor[a][a] > 0 ? 1 / std::sqrt(m_factor[a][a]) : 0;
     for (std::size_t a = m_first; a < count; ++a) {
-      double pivot = 1;
-      for (std::size_t b = m_first; b < a; ++b) {
-        double sum = m_scale[a] * m_scale[b] * m_factor[a][b];
-        for (std::size_t k = m_first; k < b; ++k) sum -= m_factor[a][k] * m_factor[b][k];
-        m_factor[a][b] = sum / m_factor[b][b];
-        pivot -= m_factor[a][b] * m_factor[a][b];
-      }
+      m_right[a] *= m_scale[a];
+      for (std::size_t b = a + 1; b < count; ++b) m_factor[a][b] *= m_scale[b] * m_scale[a];
+      m_factor[a][a] = 1;
+    }
+    for (std::size_t a = m_first; a < count; ++a) {
+      const double pivot = m_factor[a][a];
       if (!(pivot > 1e-11) || m_scale[a] == 0) {
         m_rank = a;
         return;
       }
-      m_factor[a][a] = std::sqrt(pivot);
-      invert_row(a);
+      Row& of_a = m_factor[a];
+      of_a[a] = std::sqrt(pivot);
+      for (std::size_t b = a + 1; b < count; ++b) of_a[b] /= of_a[a];
+      for (std::size_t k = a + 1; k < count; ++k) {
+        if (count <= width / 2) subtract<0, width / 2>(of_a[k], of_a, m_factor[k]);
+        else if (k < width / 2) subtract<0, width>(of_a[k], of_a, m_factor[k]);
+        else subtract<width / 2, width>(of_a[k], of_a, m_factor[k]);
+      }
+      solve_row(a, count);
     }
   }
 
-  void invert_row(std::size_t a)
+  // Of rows of fixed lengths, which is faster than what is needed of them.
+  template <std::size_t begin, std::size_t end>
+  static void subtract(double factor, const Row& from, Row& row)
+  {
+    for (std::size_t b = begin; b < end; ++b) row[b] -= factor * from[b];
+  }
+
+  // Of the right side, and of the inverse.
+  void solve_row(std::size_t a, std::size_t count)
   {
     const double inverse = 1 / m_factor[a][a];
-    double right = m_scale[a] * m_right[a];
-    for (std::size_t b = m_first; b < a; ++b) {
-      right -= m_factor[a][b] * m_right[b];
-      double sum = 0;
-      for (std::size_t k = b; k < a; ++k) sum += m_factor[a][k] * m_inverse[k][b];
-      m_inverse[a][b] = -inverse * sum;
+    m_right[a] *= inverse;
+    for (std::size_t b = a + 1; b < count; ++b) m_right[b] -= m_factor[a][b] * m_right[a];
+    for (std::size_t k = m_first; k < a; ++k) {
+      if (k < width / 2) subtract<0, width / 2>(m_factor[k][a], m_inverse[k], m_inverse[a]);
+      else subtract<0, width>(m_factor[k][a], m_inverse[k], m_inverse[a]);
     }
+    for (double& entry : m_inverse[a]) entry *= inverse;
     m_inverse[a][a] = inverse;
-    m_right[a] = inverse * right;
   }
 
   std::size_t m_first, m_rank;
   double m_rows, m_squares; // of the right side
   double m_of_heights;      // by how much the noise of heights exceeds that of their weight
   std::array<double, n> m_scale{}, m_right{};
-  std::array<std::array<double, n>, n> m_factor{}, m_inverse{}; // lower triangles
+  std::array<Row, n> m_factor{}, m_inverse{}; // an upper triangle, a lower one
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

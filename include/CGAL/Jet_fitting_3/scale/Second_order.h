@@ -43,10 +43,10 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
   result.height = unit * fit.coefficient(0, degree);
   result.excess = fit.excess(degree);
   const double factor[] = {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit};
+  result.covariance = fit.covariance(degree);
   for (std::size_t a = 0; a < 5; ++a) {
     result.value[a] = factor[a] * fit.coefficient(a + 1, degree);
-    for (std::size_t b = 0; b <= a; ++b)
-      result.covariance[a][b] = result.covariance[b][a] = factor[a] * factor[b] * fit.covariance(a + 1, b + 1, degree);
+    for (std::size_t b = 0; b < 5; ++b) result.covariance[a][b] *= factor[a] * factor[b];
   }
   return result;
 }
