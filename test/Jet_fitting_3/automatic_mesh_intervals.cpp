@@ -4,8 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The errors of curvatures that automatic() tells for meshes contain the bias: intervals hold the truth. None of these
-// surfaces but the ellipsoid's and the torus' kind is among those for which constants were chosen.
+// The errors of curvatures that automatic() tells for meshes contain the bias: intervals hold the truth, and hardly
+// grow where noise is all there is. None of these surfaces but the first three kinds, the ellipsoid's and the torus' is
+// among those for which constants were chosen.
 #include "check.h"
 #include "double_mesh.h"
 #include "held_intervals.h"
@@ -46,14 +47,25 @@ Height cubic(double x, double y)
   return {.8 * u * u * u - .6 * u * v * v, 2.4 * u * u - .6 * v * v, -1.2 * u * v, 4.8 * u, -1.2 * v, -1.2 * u};
 }
 
+// Of a cylinder.
+Height arch(double x, double)
+{
+  const double u = x - .5, z = std::sqrt(.49 - u * u);
+  return {z, -u / z, 0, -.49 / (z * z * z), 0, 0};
+}
+
+// The first ones have the same curvatures everywhere: noise is all there is.
+constexpr std::size_t simple = 3;
+
 std::vector<Analytic_mesh> surfaces()
 {
-  std::vector<Analytic_mesh> all = {sphere(1, 20),           ellipsoid(1, 1.4, 2.1, 22),
+  std::vector<Analytic_mesh> all = {jittered_square(50),     sphere(1, 20),
+                                    graph("arch", 50, arch), ellipsoid(1, 1.4, 2.1, 22),
                                     torus(3, 1.2, 110, 44),  graph("waves", 50, waves),
                                     graph("bump", 50, bump), graph("cubic", 50, cubic)};
-  all[0].name = "sphere";
-  all[1].name = "ellipsoid";
-  all[2].name = "torus";
+  all[1].name = "sphere";
+  all[3].name = "ellipsoid";
+  all[4].name = "torus";
   return all;
 }
 
@@ -95,7 +107,8 @@ Intervals intervals(const Analytic_mesh& exact, double noise)
 int main()
 {
   int cases = 0, good = 0;
-  for (const Analytic_mesh& exact : surfaces())
+  const std::vector<Analytic_mesh> all = surfaces();
+  for (const Analytic_mesh& exact : all)
     for (const double noise : {0.01, 0.05, 0.2}) {
       Intervals found = intervals(exact, noise);
       const std::string name = exact.name + ", noise " + text(noise);
@@ -103,10 +116,11 @@ int main()
                 << " growth " << found.growth() << std::endl;
       for (const int count : {found.held1, found.held2}) {
         const double held = double(count) / found.count;
-        check_ge(held, 0.8, name + ": part of the intervals that holds the truth");
+        check_ge(held, 0.85, name + ": part of the intervals that holds the truth");
         ++cases;
         good += held >= 0.9;
       }
+      if (&exact < &all[simple]) check_le(found.growth(), 1.15, name + ": growth where noise is all there is");
     }
   std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";
   check_ge(double(good), 0.95 * cases, "cases in which 90 % of the intervals hold the truth");

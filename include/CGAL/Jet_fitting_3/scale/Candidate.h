@@ -59,6 +59,7 @@ struct Estimate_row
 struct Candidate
 {
   std::size_t degree = 0, shell = 0; ///< degree 0: the samples do not determine the jet
+  double height = 0;                 ///< at the origin
   std::array<double, 2> slopes{};    ///< z_x, z_y
   std::array<double, 5> values{};    ///< of the rows
   double variance = 0;               ///< of all rows per square of the noise, summed
@@ -280,6 +281,7 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
   const auto solution = matrix.solution(moments.heights, order);
+  result.height = solution[0];
   result.slopes = {solution[1], solution[2]};
   double bound = 1e6 * size_of_unit_terms(order);
   for (std::size_t k = 0; k < order; ++k) bound /= radius * radius;

@@ -83,6 +83,8 @@ public:
     : m_surface(surface), m_most(most), m_height(height)
   {}
 
+  Height height() const { return m_height; }
+
   /// The candidates at vertex i, in its unit, for derivatives of the given order that are selected.
   /// \param ratio of the axes of the ellipses
   /// \param with_rows or their values alone

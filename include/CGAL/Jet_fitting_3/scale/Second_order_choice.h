@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,50 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What the interval of a second derivative contains, squared.
+struct Interval_error
+{
+  double variance = 0;
+  double squared_bias = 0;      ///< with what is uncertain of it
+  double most_squared_bias = 0; ///< by how much the curvatures of the surface differ
+  double of_origin = 0;         ///< what its height over the surface does to potentials
+
+  /// A bias may hide in noise: a little of it everywhere, more where curvatures differ.
+  double square() const
+  {
+    return 1.3 * variance + std::min(0.7 * variance + squared_bias, most_squared_bias) + of_origin;
+  }
+};
+
+/// In 1 / length, from units.
+inline Interval_error in_lengths(const Interval_error& e, double unit)
+{
+  const double f = 1 / (unit * unit);
+  return {f * e.variance, f * e.squared_bias, f * e.most_squared_bias, f * e.of_origin};
+}
+
+/// Numbers with variances, and by how much they differ beyond these.
+class Spread
+{
+public:
+  void add(double value, double variance)
+  {
+    if (m_count == 0) m_first = value; // of which little may differ
+    const double w = 1 / variance, difference = value - m_first;
+    m_count += 1;
+    m_weights += w;
+    m_sum += w * difference;
+    m_squares += w * difference * difference;
+  }
+
+  double mean() const { return m_weights > 0 ? m_first + m_sum / m_weights : 0; }
+  /// The mean square of what they differ from their mean, less their variance, by weight.
+  double excess() const { return m_weights > 0 ? (m_squares - m_sum * m_sum / m_weights - m_count) / m_weights : 0; }
+
+private:
+  double m_first = 0, m_count = 0, m_weights = 0, m_sum = 0, m_squares = 0;
+};
 
 /// Derivatives of order 2 at a vertex as means of several fits, in a frame near the tangent plane whose x axis is near
 /// the principal direction of the curvature that is larger in size.
@@ -32,7 +77,7 @@ struct Second_order_estimate
   double xx = 0, xy = 0, yy = 0;          ///< in 1 / length
   double variance = 0;                    ///< of (xx, sqrt(2) xy, yy), summed
   double squared_bias = 0;                ///< estimated, likewise
-  std::array<double, 2> squared_errors{}; ///< of xx and yy, for intervals
+  std::array<Interval_error, 2> errors{}; ///< of xx and yy
   double radius = 0;                      ///< the root of the mean square of those of xx and yy
   std::size_t degree = 0;                 ///< the larger one of xx and yy
   std::array<Choice, 4> choices; ///< for xx, sqrt(2) xy, yy in principal axes, and for all: weights of the candidates
@@ -130,7 +175,6 @@ public:
     }
     if (!result.choices[all].exists()) return result;
     result.exists = true;
-    result.squared_errors.fill(squared_error(candidates[0], result.choices[all], targets[all]) / 2);
     std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
     const auto [cosine, sine] = principal_axis(q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
@@ -140,18 +184,19 @@ public:
     result.y = cosine * result.y - sine * x;
     result.variance = result.choices[all].variance;
     result.squared_bias = result.choices[all].squared_bias;
+    const double unit = m_surface.units[i];
+    result.errors = errors_in_disks(candidates[0], result.choices[all], most_squared_bias(place) * unit * unit, q);
     if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * result.choices[all].risk()) {
       for (Candidate& candidate : candidates[0]) candidate = turned(candidate, cosine, sine);
       refine(walker, i, place, std::move(candidates), q, result);
     }
-    const double unit = m_surface.units[i];
     set_scale(result, unit);
     result.xx = q[0] / unit;
     result.xy = std::sqrt(0.5) * q[1] / unit;
     result.yy = q[2] / unit;
     result.variance /= unit * unit;
     result.squared_bias /= unit * unit;
-    for (double& square : result.squared_errors) square /= unit * unit;
+    for (Interval_error& e : result.errors) e = in_lengths(e, unit);
     return result;
   }
 
@@ -175,6 +220,7 @@ private:
   {
     Bias_model of_all; // by disks
     std::array<std::array<Bias_model, all>, shapes.size()> components;
+    double variation = 0; // of the curvatures
   };
 
   using Candidates_of_shapes = std::array<Candidates, shapes.size()>;
@@ -210,6 +256,49 @@ private:
       m_places[k].model = nearest_place(centers, m_points[k]);
       choose_in_disks(m_places[k]);
     }
+    learn_variation();
+  }
+
+  void learn_variation()
+  {
+    std::vector<std::size_t> every(m_places.size());
+    std::iota(every.begin(), every.end(), std::size_t(0));
+    m_variation = variation(every);
+    for (std::size_t m = 0; m < m_models.size(); ++m) {
+      std::vector<std::size_t> members;
+      for (const auto& near : nearest_places(m_points, m_points[m * places_per_model], patch))
+        members.push_back(near.second);
+      m_models[m].variation = variation(members);
+    }
+  }
+
+  // By how much principal curvatures differ from place to place beyond noise, squared, in 1 / length^2. They are the
+  // same everywhere on planes, spheres and cylinders, where potentials have no bias; heights have none on planes, so
+  // for them it counts by how much curvatures differ from 0.
+  double variation(const std::vector<std::size_t>& places) const
+  {
+    std::array<Spread, 2> spreads;
+    for (const std::size_t k : places) {
+      const Place& place = m_places[k];
+      if (!place.choices[all].exists()) continue;
+      const double unit = m_points[k].unit, variance = place.choices[all].variance / (2 * unit * unit);
+      const double half = (place.q[0] + place.q[2]) / 2;
+      const double root = std::hypot((place.q[0] - place.q[2]) / 2, place.q[1] / std::sqrt(2.));
+      spreads[0].add((half + root) / unit, variance);
+      spreads[1].add((half - root) / unit, variance);
+    }
+    double sum = 0;
+    for (const Spread& spread : spreads) {
+      sum += spread.excess();
+      if (m_fitter.height() == Height::z) sum += spread.mean() * spread.mean();
+    }
+    return std::max(0., sum / 2);
+  }
+
+  // Means over a part of the surface err by less than curvatures differ on all of it. In 1 / length^2.
+  double most_squared_bias(const Place& place) const
+  {
+    return 0.5 * std::max(m_variation, m_models[place.model].variation);
   }
 
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
@@ -356,8 +445,12 @@ private:
       result.variance += is_taken ? choice.variance : in_disks.variance;
       result.squared_bias += is_taken ? choice.squared_bias : in_disks.squared_bias;
       if (t != 1) {
-        double& square = result.squared_errors[t / 2];
-        square = (is_taken ? squared_error(candidates, choice, targets[t]) : square) + difference * difference;
+        Interval_error& e = result.errors[t / 2];
+        if (is_taken) {
+          e.variance = choice.variance;
+          e.squared_bias = doubtful_bias(candidates, choice, targets[t]);
+        }
+        e.squared_bias += difference * difference / 2;
       }
       if (!is_taken) continue;
       q[t] = value;
@@ -413,8 +506,27 @@ private:
     return q;
   }
 
+  // Of both curvatures, which are q[0] and q[2]. A potential that is measured from an origin so high above the surface,
+  // as three rings tell it, has k (1 - height k / 2) for k.
+  std::array<Interval_error, 2> errors_in_disks(const Candidates& candidates, const Choice& choice,
+                                                double most_squared_bias, const std::array<double, 3>& q) const
+  {
+    double height = 0, sum = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (!is_used(choice, c)) continue;
+      sum += choice.weights[c];
+      height += choice.weights[c] * candidates[c].height;
+    }
+    const double per_square = m_fitter.height() == Height::potential ? height / sum / 2 : 0;
+    const double bias = doubtful_bias(candidates, choice, targets[all]) / 2;
+    const auto error = [&](double k) {
+      return Interval_error{choice.variance / 2, bias, most_squared_bias, std::pow(per_square * k * k, 2)};
+    };
+    return {error(q[0]), error(q[2])};
+  }
+
   // For intervals. A bias is known to a factor of a few where candidates differ by what is expected, elsewhere less.
-  static double squared_error(const Candidates& candidates, const Choice& choice, const Target& target)
+  static double doubtful_bias(const Candidates& candidates, const Choice& choice, const Target& target)
   {
     constexpr double uncertain = 8;
     double x = 0, y = 0, square = 0, sum = 0;
@@ -426,7 +538,7 @@ private:
         square += choice.weights[c] * std::pow(candidates[c].values[k] - q[k], 2);
     }
     const double surprise = choice.spread > 0 ? std::max(1., square / (sum * choice.spread)) : 1;
-    return choice.variance + uncertain * surprise * choice.squared_bias;
+    return uncertain * surprise * choice.squared_bias;
   }
 
   static std::pair<double, double> principal_axis(const std::array<double, 3>& q)
@@ -451,6 +563,7 @@ private:
   std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;
   std::vector<Models> m_models; // each at one of so many places
+  double m_variation = 0;       // of the curvatures
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
