@@ -272,6 +272,83 @@ void coarse_mesh()
   }
 }
 
+// A cylinder of radius 1 whose edges along it are so many times as long as those around it.
+Analytic_mesh cylinder_of_long_triangles(std::size_t around, std::size_t rows, double ratio)
+{
+  Analytic_mesh mesh;
+  const double step = 2 * std::acos(-1.) / double(around);
+  for (std::size_t i = 0; i < around; ++i)
+    for (std::size_t j = 0; j < rows; ++j)
+      mesh.points.emplace_back(std::cos(step * double(i)), std::sin(step * double(i)), ratio * step * double(j));
+  mesh.faces = grid_faces(around, rows, true, false);
+  // the grid wraps in both directions: the faces between the last row and the first one go
+  const auto wraps = [rows](const std::vector<std::size_t>& face) {
+    std::size_t first = 0, last = 0;
+    for (const std::size_t i : face) {
+      first += i % rows == 0;
+      last += i % rows == rows - 1;
+    }
+    return first > 0 && last > 0;
+  };
+  mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), wraps), mesh.faces.end());
+  mesh.truth = [](const Point& p) { return Curvatures{0, -1, Point(p.x, p.y, 0)}; };
+  return mesh;
+}
+
+// All vertices are right, to the border: where the long edges are straight, and where they are those that bend.
+void long_triangles()
+{
+  struct Case
+  {
+    std::size_t around, rows;
+    double ratio, tolerance;
+  };
+  for (const Case& c : {Case{100, 4, 10, 1e-4}, {100, 8, 10, 1e-4}, {100, 12, 30, 1e-4}, {24, 100, 0.1, 0.03}}) {
+    const std::string name = "a cylinder of triangles " + text(c.ratio) + " times as long";
+    const Analytic_mesh exact = cylinder_of_long_triangles(c.around, c.rows, c.ratio);
+    Noisy_mesh clean(exact, 0);
+    check_equal(clean.estimate(jets::automatic(), 6).estimated, exact.points.size(), name + ": all are estimated");
+    double worst = 0;
+    for (const Vertex v : clean.mesh.vertices())
+      for (std::size_t k = 0; k < 2; ++k)
+        worst = (std::max)(worst, std::abs(clean.forms[v].principal_curvatures(k) + (k == 0 ? 0. : 1.)));
+    check_le(worst, c.tolerance, name);
+    if (c.ratio < 1) continue;
+    beside_fixed_choices(exact, 0.02 * 2 * std::acos(-1.) / double(c.around), name + ", noise");
+  }
+}
+
+// Third derivatives over long triangles, beside the truth: b vanishes on a cylinder.
+void third_order_of_long_triangles()
+{
+  Noisy_mesh clean(cylinder_of_long_triangles(100, 8, 10), 0);
+  CGAL::estimate_vertex_monge_forms(clean.mesh, jets::automatic(), clean.forms, parameters::degree_monge(3));
+  double worst = 0;
+  for (const Vertex v : clean.mesh.vertices())
+    for (std::size_t k = 0; k < 4; ++k) worst = (std::max)(worst, std::abs(clean.forms[v].third_order_coefficients(k)));
+  check_le(worst, 0.01, "third order of a cylinder of long triangles");
+}
+
+// Tips around which the surface turns by a radian within an edge: disks end there, rings do not, and what they give
+// says how far it may be off.
+void sharp_tips()
+{
+  Noisy_mesh needle(ellipsoid(0.1, 0.1, 1, 12), 0.002);
+  for (const std::size_t order : {2, 3, 4}) {
+    const auto summary = CGAL::estimate_vertex_monge_forms(needle.mesh, jets::automatic(), needle.forms,
+                                                           parameters::degree_monge(order));
+    check_equal(summary.estimated, needle.mesh.number_of_vertices(), "estimated to order " + text(order));
+    if (order > 2) continue;
+    for (const Vertex v : needle.mesh.vertices()) {
+      const Form& f = needle.forms[v];
+      const double h = (f.principal_curvatures(0) + f.principal_curvatures(1)) / 2;
+      const jets::Chosen_scale scale = summary.quality(v).scale;
+      check_le(std::abs(h - needle.mean_curvature[v]),
+               5 * std::hypot(scale.curvature_errors[0], scale.curvature_errors[1]), "a needle beside its errors");
+    }
+  }
+}
+
 // By one thread and by all.
 void same_bits()
 {
@@ -357,6 +434,9 @@ int main()
   orders_3_and_4();
   degrees();
   coarse_mesh();
+  long_triangles();
+  third_order_of_long_triangles();
+  sharp_tips();
   same_bits();
   bad_vertices();
   far_vertex_and_debris();

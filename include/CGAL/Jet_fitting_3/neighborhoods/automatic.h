@@ -28,7 +28,10 @@ namespace Jet_fitting {
 /// weights of least variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which
 /// may differ from part to part. The noise is estimated or given likewise; if edges differ by more than four times, it
 /// is estimated for each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24
-/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself.
+/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself. Where edges are
+/// more than three times as long in one direction as across it, and the surface turns by less than .2 radians along
+/// them, so are neighborhoods. Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the
+/// first rings that have 14 vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
 /// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was

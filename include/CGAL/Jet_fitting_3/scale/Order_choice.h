@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H
 #define CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H
 
+#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
@@ -73,11 +74,14 @@ public:
   Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
   {
     const Place& place = m_places[nearest_place(m_points, place_of(i))];
-    Candidates candidates = m_fitter(walker, i, frame, 1, m_ladder, m_order, place.selection, false);
+    const Local_frame round{frame.origin, round_axes(m_surface, i, frame.axes)};
+    Candidates candidates = m_fitter(walker, i, round, 1, m_ladder, m_order, place.selection, false);
     if (is_like(place, candidates))
-      return mean(candidates, place.choices, is_reversed(place, frame.axes.x), m_surface.units[i]);
+      return in_axes(frame.axes, round.axes,
+                     mean(candidates, place.choices, is_reversed(place, frame.axes.x), m_surface.units[i]));
     candidates = all_candidates(walker, i, frame);
-    return mean(candidates, choose_at(i, candidates, frame.axes.x), false, m_surface.units[i]);
+    return in_axes(frame.axes, round.axes,
+                   mean(candidates, choose_at(i, candidates, frame.axes.x), false, m_surface.units[i]));
   }
 
 private:
@@ -95,7 +99,10 @@ private:
 
   std::size_t all() const { return m_order + 1; }
 
-  Whereabouts place_of(std::size_t i) const { return {m_surface.points[i], m_surface.units[i]}; }
+  Whereabouts place_of(std::size_t i) const
+  {
+    return {m_surface.points[i], m_surface.units[i], 0, m_surface.stretch(i)};
+  }
 
   template <class Frame_at, class For_each>
   void learn(const Frame_at& frame_at, const For_each& for_each)
@@ -124,7 +131,8 @@ private:
 
   Candidates all_candidates(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
   {
-    return m_fitter(walker, i, frame, 1, m_ladder, m_order, Selection(m_ladder, m_ladder.radii.size()), true);
+    const Local_frame round{frame.origin, round_axes(m_surface, i, frame.axes)};
+    return m_fitter(walker, i, round, 1, m_ladder, m_order, Selection(m_ladder, m_ladder.radii.size()), true);
   }
 
   void look_at(Place& place, Candidates candidates, double square_of_noise) const
@@ -202,6 +210,32 @@ private:
       }
       result.derivatives.push_back(value * unit / sum / std::sqrt(binomial(m_order, j)));
       result.risks.push_back(unit * unit * choice.risk() / binomial(m_order, j));
+    }
+    return result;
+  }
+
+  // From axes in which edges are round to axes of length 1 in the same plane.
+  Order_estimate in_axes(const Basis_3<double>& axes, const Basis_3<double>& round, Order_estimate e) const
+  {
+    if (!e.exists() || (dot(round.x, axes.x) == 1 && dot(round.y, axes.y) == 1)) return e;
+    const std::array<double, 2> x{dot(round.x, axes.x), dot(round.y, axes.x)},
+        y{dot(round.x, axes.y), dot(round.y, axes.y)};
+    const auto derivative = [&](std::vector<double> form, std::size_t j) {
+      for (std::size_t k = m_order; k > 0; --k) {
+        const std::array<double, 2>& along = k > j ? x : y;
+        numeric::along(along[0], along[1], k, form.data(), form.data());
+      }
+      return form[0];
+    };
+    Order_estimate result;
+    for (std::size_t j = 0; j <= m_order; ++j) {
+      result.derivatives.push_back(derivative(e.derivatives, j));
+      result.risks.push_back(0);
+      for (std::size_t k = 0; k <= m_order; ++k) {
+        std::vector<double> unit(m_order + 1);
+        unit[k] = 1;
+        result.risks.back() += std::pow(derivative(unit, j), 2) * e.risks[k];
+      }
     }
     return result;
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
+#include <CGAL/Jet_fitting_3/scale/Second_order_estimate.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
 #include <algorithm>
@@ -23,28 +24,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// What the interval of a second derivative contains, squared.
-struct Interval_error
-{
-  double variance = 0;
-  double squared_bias = 0;      ///< with what is uncertain of it
-  double most_squared_bias = 0; ///< by how much the curvatures of the surface differ
-  double of_origin = 0;         ///< what its height over the surface does to potentials
-
-  /// A bias may hide in noise: a little of it everywhere, more where curvatures differ.
-  double square() const
-  {
-    return 1.3 * variance + std::min(0.7 * variance + squared_bias, most_squared_bias) + of_origin;
-  }
-};
-
-/// In 1 / length, from units.
-inline Interval_error in_lengths(const Interval_error& e, double unit)
-{
-  const double f = 1 / (unit * unit);
-  return {f * e.variance, f * e.squared_bias, f * e.most_squared_bias, f * e.of_origin};
-}
 
 /// Numbers with variances, and by how much they differ beyond these.
 class Spread
@@ -68,29 +47,13 @@ private:
   double m_first = 0, m_count = 0, m_weights = 0, m_sum = 0, m_squares = 0;
 };
 
-/// Derivatives of order 2 at a vertex as means of several fits, in a frame near the tangent plane whose x axis is near
-/// the principal direction of the curvature that is larger in size.
-struct Second_order_estimate
-{
-  Local_frame frame;
-  double x = 0, y = 0;                    ///< z_x, z_y
-  double xx = 0, xy = 0, yy = 0;          ///< in 1 / length
-  double variance = 0;                    ///< of (xx, sqrt(2) xy, yy), summed
-  double squared_bias = 0;                ///< estimated, likewise
-  std::array<Interval_error, 2> errors{}; ///< of xx and yy
-  double radius = 0;                      ///< the root of the mean square of those of xx and yy
-  std::size_t degree = 0;                 ///< the larger one of xx and yy
-  std::array<Choice, 4> choices; ///< for xx, sqrt(2) xy, yy in principal axes, and for all: weights of the candidates
-  bool exists = false;
-};
-
 /// Of a vertex. Borders are known by the tangent planes.
 template <class Neighbors>
 Whereabouts whereabouts(const Surface_points<Neighbors>& surface, std::size_t i)
 {
   constexpr double apart = 16; // patches are about ten units wide
   const double unit = surface.units[i];
-  return {surface.points[i], unit, surface.planes ? apart * unit * (*surface.planes)[i].lean : 0};
+  return {surface.points[i], unit, surface.planes ? apart * unit * (*surface.planes)[i].lean : 0, surface.stretch(i)};
 }
 
 /// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
@@ -173,7 +136,7 @@ public:
       candidates[0] = fit(walker, i, result.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
       result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], i, 0, all, nullptr);
     }
-    if (!result.choices[all].exists()) return result;
+    if (!result.choices[all].exists()) return estimate_of_rings(m_surface, walker, i, m_squares_of_noise[i]);
     result.exists = true;
     std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
     const auto [cosine, sine] = principal_axis(q);
@@ -182,8 +145,8 @@ public:
     const double x = result.x;
     result.x = cosine * x + sine * result.y;
     result.y = cosine * result.y - sine * x;
-    result.variance = result.choices[all].variance;
-    result.squared_bias = result.choices[all].squared_bias;
+    result.variances.fill(result.choices[all].variance / 3);
+    result.squared_biases.fill(result.choices[all].squared_bias / 3);
     const double unit = m_surface.units[i];
     result.errors = errors_in_disks(candidates[0], result.choices[all], most_squared_bias(place) * unit * unit, q);
     if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * result.choices[all].risk()) {
@@ -191,12 +154,7 @@ public:
       refine(walker, i, place, std::move(candidates), q, result);
     }
     set_scale(result, unit);
-    result.xx = q[0] / unit;
-    result.xy = std::sqrt(0.5) * q[1] / unit;
-    result.yy = q[2] / unit;
-    result.variance /= unit * unit;
-    result.squared_bias /= unit * unit;
-    for (Interval_error& e : result.errors) e = in_lengths(e, unit);
+    set_derivatives(result, q, unit, m_surface.stretch(i) == 1);
     return result;
   }
 
@@ -431,7 +389,6 @@ private:
               std::array<double, 3>& q, Second_order_estimate& result) const
   {
     const Choice& in_disks = result.choices[all];
-    result.variance = result.squared_bias = 0;
     for (std::size_t t = 0; t < all; ++t) {
       Choice choice = place.choices[t];
       Candidates& candidates = candidates_of_shapes[choice.shape];
@@ -442,8 +399,8 @@ private:
       const double value = choice.exists() ? mean(candidates, choice, x, y)[t] : q[t], difference = value - q[t];
       // where it is far from what disks say, the vertex is unlike its patch
       const bool is_taken = choice.exists() && difference * difference <= far * (in_disks.risk() + choice.risk());
-      result.variance += is_taken ? choice.variance : in_disks.variance;
-      result.squared_bias += is_taken ? choice.squared_bias : in_disks.squared_bias;
+      result.variances[t] = is_taken ? choice.variance : in_disks.variance;
+      result.squared_biases[t] = is_taken ? choice.squared_bias : in_disks.squared_bias;
       if (t != 1) {
         Interval_error& e = result.errors[t / 2];
         if (is_taken) {
@@ -480,11 +437,6 @@ private:
       e.degree = std::max(e.degree, mean.degree);
     }
     e.radius = unit * std::sqrt(square);
-  }
-
-  static Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
-  {
-    return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
   }
 
   static std::array<double, 3> mean(const Candidates& candidates, const Choice& choice, double& x, double& y)
@@ -539,21 +491,6 @@ private:
     }
     const double surprise = choice.spread > 0 ? std::max(1., square / (sum * choice.spread)) : 1;
     return uncertain * surprise * choice.squared_bias;
-  }
-
-  static std::pair<double, double> principal_axis(const std::array<double, 3>& q)
-  {
-    // the first axis is that of the larger curvature, or of the smaller one where that is larger in size
-    const double half_turn = q[0] + q[2] < 0 ? std::acos(-1.) / 2 : 0;
-    const double angle = 0.5 * std::atan2(std::sqrt(2.) * q[1], q[0] - q[2]) + half_turn;
-    return {std::cos(angle), std::sin(angle)};
-  }
-
-  static std::array<double, 3> turn(const std::array<double, 3>& q, double cosine, double sine)
-  {
-    const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
-    return {c2 * q[0] + r * q[1] + s2 * q[2], -r * q[0] + (c2 - s2) * q[1] + r * q[2],
-            s2 * q[0] - r * q[1] + c2 * q[2]};
   }
 
   const Surface& m_surface;

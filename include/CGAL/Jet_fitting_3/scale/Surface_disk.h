@@ -29,6 +29,13 @@ struct Tangent_plane
   double lean = 0; ///< how far the middle of three rings lies beside the vertex, in units: about 1 at a border
 };
 
+/// How edges around a vertex differ by direction: those along one are so many times as long as those across it.
+struct Stretch
+{
+  Vector_3<double> direction; ///< of length 1, if the ratio is not 1
+  double ratio = 1;
+};
+
 /// Points of a surface whose neighbors are known. Arrays are not owned.
 /// \tparam Neighbors neighbors(i) is a range of the numbers of the vertices to which the surface continues from i
 template <class Neighbors>
@@ -39,6 +46,9 @@ struct Surface_points
   Neighbors neighbors;
   const std::vector<double>& units;                   ///< at all points, of radii: the length of the edges around
   const std::vector<Tangent_plane>* planes = nullptr; ///< at all points, if they are known
+  const std::vector<Stretch>* stretches = nullptr;    ///< at all points; null: edges are as long in all directions
+
+  double stretch(std::size_t i) const { return stretches ? (*stretches)[i].ratio : 1; }
 };
 
 /// An origin and axes, z along the normal.
@@ -58,6 +68,30 @@ inline Basis_3<double> axes_around(const Vector_3<double>& direction)
   const Vector_3<double> x = cross(other, z);
   const Vector_3<double> unit_x = 1 / std::sqrt(dot(x, x)) * x;
   return {unit_x, cross(z, unit_x), z};
+}
+
+/// In which edges at point i are as long in all directions: areas stay, the axes are no longer of length 1. A plane at
+/// the point whose normal is axes.z.
+template <class Neighbors>
+Basis_3<double> round_axes(const Surface_points<Neighbors>& surface, std::size_t i, const Basis_3<double>& axes)
+{
+  if (surface.stretch(i) == 1) return axes;
+  const Stretch& stretch = (*surface.stretches)[i];
+  const Vector_3<double> in_plane = stretch.direction - dot(stretch.direction, axes.z) * axes.z;
+  const double square = dot(in_plane, in_plane);
+  if (!(square > 0)) return axes;
+  const double across = std::sqrt(stretch.ratio), along = 1 / across;
+  const auto map = [&](const Vector_3<double>& a) {
+    return across * a + (along - across) * (dot(a, in_plane) / square) * in_plane;
+  };
+  return {map(axes.x), map(axes.y), axes.z};
+}
+
+/// Any axes of this kind with this z, which need not have length 1.
+template <class Neighbors>
+Basis_3<double> axes_around(const Surface_points<Neighbors>& surface, std::size_t i, const Vector_3<double>& direction)
+{
+  return round_axes(surface, i, axes_around(direction));
 }
 
 /// As far as the surface turns by 60 degrees heights over the tangent plane are polynomials of low degree.
@@ -194,7 +228,7 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
   std::vector<std::size_t> found, ends;
   walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places(found.size());
-  Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
+  Local_frame frame{surface.points[i], axes_around(surface, i, surface.normals[i])};
   double lean = 0;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
@@ -204,18 +238,18 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
     if (!matrix.is_regular()) break;
     const auto c = matrix.solution(moments.heights, 1);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
-    frame.axes = axes_around(frame.axes.out({-c[1], -c[2], 1}));
+    frame.axes = axes_around(surface, i, frame.axes.out({-c[1], -c[2], 1}));
     lean = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
   }
   return {frame.origin, frame.axes.z, lean};
 }
 
-/// Its frame; the plane is taken from the surface if it is there.
+/// Its frame, in which edges are round; the plane is taken from the surface if it is there.
 template <class Neighbors>
 Local_frame tangent_frame(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i)
 {
   const Tangent_plane plane = surface.planes ? (*surface.planes)[i] : tangent_plane(surface, walker, i);
-  return {plane.origin, axes_around(plane.normal)};
+  return {plane.origin, axes_around(surface, i, plane.normal)};
 }
 
 /// The tangent planes at all vertices. \param for_each as for Surface_choice
@@ -231,19 +265,23 @@ std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surfa
   return planes;
 }
 
-/// Normals averaged with those of the neighbors, rounds[i] times that of i.
+/// Normals averaged with those of the neighbors, rounds[i] times that of i, or until they would turn farther: what is
+/// beyond is another part of the surface, as around a tip.
+/// \param least_cosine of the angle by which a normal may turn
 template <class Neighbors>
-std::vector<Vector_3<double>> smoothed(std::vector<Vector_3<double>> normals, const Neighbors& neighbors,
-                                       const std::vector<int>& rounds)
+std::vector<Vector_3<double>> smoothed(const std::vector<Vector_3<double>>& own, const Neighbors& neighbors,
+                                       const std::vector<int>& rounds, double least_cosine = -1)
 {
+  std::vector<Vector_3<double>> normals = own;
   const int most = rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
   for (int round = 0; round < most; ++round) {
     const std::vector<Vector_3<double>> before = normals;
     for (std::size_t i = 0; i < normals.size(); ++i) {
       if (rounds[i] <= round) continue;
       for (const std::size_t v : neighbors(i)) normals[i] = normals[i] + before[v];
-      const double square = dot(normals[i], normals[i]);
-      normals[i] = square > 0 ? 1 / std::sqrt(square) * normals[i] : before[i];
+      const double length = std::sqrt(dot(normals[i], normals[i]));
+      const bool is_near = length > 0 && dot(normals[i], own[i]) >= least_cosine * length;
+      normals[i] = is_near ? 1 / length * normals[i] : before[i];
     }
   }
   return normals;

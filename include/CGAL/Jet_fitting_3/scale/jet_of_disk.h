@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -20,8 +21,28 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// The vertices within the first rings that are so many, or within six.
+template <class Neighbors>
+std::vector<std::size_t> first_rings(Walker<Neighbors>& walker, std::size_t i, std::size_t least)
+{
+  std::vector<std::size_t> found, ends;
+  for (std::size_t rings = 1; rings <= 6 && found.size() < least; ++rings) walker.rings(i, rings, found, ends);
+  return found;
+}
+
+/// The largest distance of one of the points from the first of them.
+inline double farthest(const std::vector<Vector_3<double>>& points, const std::vector<std::size_t>& some)
+{
+  double square = 0;
+  for (const std::size_t v : some) {
+    const Vector_3<double> d = points[v] - points[some[0]];
+    square = std::max(square, dot(d, d));
+  }
+  return std::sqrt(square);
+}
+
 /// Orders for which there is no choice: one fit, of the degree of the jet, to at most four times as many vertices
-/// around vertex i as the jet has coefficients, within the radius.
+/// around vertex i as the jet has coefficients, within the radius, or if the surface turns too soon to the first rings.
 /// \param radius length
 /// \param first the lowest of these orders
 /// \param jet in the axes of the frame; its lower orders stay
@@ -35,13 +56,15 @@ bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbor
   std::vector<double> radii; // in so many steps
   for (int k = 1; k <= 48; ++k) radii.push_back(double(k) / 48);
   typename Walker<Neighbors>::Disk disk;
-  walker.disk(i, frame, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns}, disk);
-  if (disk.vertices.size() < least) return false;
-  const double unit = numeric::power_of_two_above(radius * radii[disk.ends.size() - 1]);
+  const Local_frame round{frame.origin, round_axes(surface, i, frame.axes)};
+  walker.disk(i, round, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns}, disk);
+  std::vector<std::size_t>& found = disk.vertices;
+  if (found.size() < least) found = first_rings(walker, i, least);
+  if (found.size() < least) return false;
+  const double unit = numeric::power_of_two_above(farthest(surface.points, found));
   Samples<double> samples;
-  samples.resize(disk.vertices.size());
-  for (std::size_t k = 0; k < disk.vertices.size(); ++k)
-    samples.set(k, 1 / unit * (surface.points[disk.vertices[k]] - frame.origin));
+  samples.resize(found.size());
+  for (std::size_t k = 0; k < found.size(); ++k) samples.set(k, 1 / unit * (surface.points[found[k]] - frame.origin));
   Jet_fit<double> fit = fit_jet(samples, frame.axes, degree, solver);
   if (fit.solution.rank < unknowns) return false;
   Jet<double>& fitted = fit.jet;

@@ -28,22 +28,24 @@ struct Whereabouts
 {
   Vector_3<double> point;
   double unit;
-  double beside = 0; ///< a length
+  double beside = 0;  ///< a length
+  double stretch = 1; ///< of the edges
 };
 
 inline double squared_distance(const Vector_3<double>& a, const Vector_3<double>& b) { return dot(a - b, a - b); }
 
-/// How far places are from each other. Those whose units differ by more than a factor say nothing of each other, and
-/// are farther than all others.
+/// How far places are from each other. Those whose units or stretches differ by more than a factor say nothing of each
+/// other, and are farther than all others.
 struct Distance_of_places
 {
-  double unlike = 1; ///< the ratio of the units if it is too large
+  double unlike = 1; ///< the ratio if it is too large
   double square;     ///< in the product of the units
 
   Distance_of_places(const Whereabouts& a, const Whereabouts& b)
   {
     constexpr double most = 2;
-    const double ratio = std::max(a.unit, b.unit) / std::min(a.unit, b.unit);
+    const double ratio = std::max(std::max(a.unit, b.unit) / std::min(a.unit, b.unit),
+                                  std::max(a.stretch, b.stretch) / std::min(a.stretch, b.stretch));
     if (!(ratio <= most)) unlike = ratio;
     const double beside = a.beside - b.beside;
     square = (squared_distance(a.point, b.point) + beside * beside) / (a.unit * b.unit);

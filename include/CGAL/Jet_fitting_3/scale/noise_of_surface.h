@@ -104,7 +104,8 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   for (const Vector_3<double>& q : local) {
     const double rest = q.z - value_at(c, degree, q.x, q.y).height;
     const scale::Polynomial_value slope = value_at(flat, 2, q.x, q.y);
-    sum += rest * rest / (1 + slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v);
+    const Vector_3<double> gradient = slope.slope_u * frame.axes.x + slope.slope_v * frame.axes.y;
+    sum += rest * rest / (1 + dot(gradient, gradient));
   }
   const double freedom = double(count - unknowns);
   return scale::median_correction(freedom) * sum / freedom;
@@ -152,12 +153,12 @@ struct Residuals_at_place
 {
   static constexpr std::size_t first_ring = 3, rings = 3;
   double unit;
-  std::array<std::array<double, rings>, 2> variances; // of degrees 4 and 6
+  std::array<std::array<double, rings>, 2> variances; // of two degrees
   std::array<std::size_t, rings> counts;
 };
 
 /// The noise at some places, of so many points, infinite where they are too few: the least of the medians for fits of
-/// degrees 4 and 6 to three and four rings: more rings or lower degrees take the surface for noise, as the next ring
+/// both degrees to three and four rings: more rings or lower degrees take the surface for noise, as the next ring
 /// tells.
 inline Noise noise_at_places(const std::vector<Residuals_at_place>& places, std::size_t size)
 {
@@ -202,9 +203,10 @@ struct Surface_noise
   }
 };
 
-/// What fits leave at places spread over the surface, the shortest unit first.
+/// What fits of two degrees leave at places spread over the surface, the shortest unit first.
 template <class Neighbors>
-std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface)
+std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface,
+                                                    const std::array<std::size_t, 2>& degrees)
 {
   using Place = Residuals_at_place;
   std::vector<Place> places;
@@ -214,7 +216,7 @@ std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbo
       place.counts[k] = ends[Place::first_ring + k];
       for (std::size_t d = 0; d < 2; ++d)
         place.variances[d][k] =
-            place.unit * place.unit * residual_variance(surface, frame, found, place.counts[k], 4 + 2 * d, place.unit);
+            place.unit * place.unit * residual_variance(surface, frame, found, place.counts[k], degrees[d], place.unit);
     }
     places.push_back(place);
   };
@@ -230,9 +232,13 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
   constexpr double most = 4; // ratio of units that are taken together
   constexpr std::size_t least = 20;
   const std::size_t size = surface.points.size();
-  const std::vector<Residuals_at_place> places = residuals_at_places(surface);
+  const std::vector<Residuals_at_place> places = residuals_at_places(surface, {4, 6});
   Surface_noise result;
   result.of_all = noise_at_places(places, size);
+  if (!std::isfinite(result.of_all.position)) {
+    result.of_all = noise_at_places(residuals_at_places(surface, {2, 3}), size); // as with four rows of vertices
+    return result;
+  }
   if (places.empty() || places.back().unit <= most * places.front().unit) return result;
   for (auto begin = places.begin(), end = begin; begin != places.end(); begin = end) {
     while (end != places.end() && end->unit <= most * begin->unit) ++end;

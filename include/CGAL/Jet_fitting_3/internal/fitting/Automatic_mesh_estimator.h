@@ -230,8 +230,8 @@ private:
     Chosen_scale scale;
     scale.radius = chosen.second.radius;
     scale.degree = chosen.second.degree;
-    scale.bias = std::sqrt(chosen.second.squared_bias / 2);
-    scale.standard_deviation = std::sqrt(chosen.second.variance / 2);
+    scale.bias = std::sqrt(chosen.second.squared_bias() / 2);
+    scale.standard_deviation = std::sqrt(chosen.second.variance() / 2);
     for (std::size_t k = 0; k < 2; ++k) scale.curvature_errors[k] = std::sqrt(chosen.second.errors[k].square());
     if (chosen.second.xx < chosen.second.yy) std::swap(scale.curvature_errors[0], scale.curvature_errors[1]);
     scale.third_order_errors = chosen.third_order_errors;

@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 
 #include <cmath>
@@ -30,7 +31,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
 class Unit_surface
 {
-  static constexpr int first_rounds = 3; // of the normals of the mesh: over two edges or so
+  static constexpr int first_rounds = 3;       // of the normals of the mesh: over two edges or so
+  static constexpr double least_cosine = 0.87; // 30 degrees, by which averages differ from the normals of fits
 
   struct Neighbors
   {
@@ -51,6 +53,9 @@ public:
       m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
     m_units = averaging::lengths_around(m_surface);
+    m_stretches = averaging::stretches_around(m_surface);
+    for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
+    m_surface.stretches = &m_stretches;
   }
 
   Unit_surface(const Unit_surface&) = delete; // its parts refer to each other
@@ -70,7 +75,7 @@ public:
       m_normals[i] = m_planes[i].normal;
       rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(squares_of_noise[i])));
     }
-    m_normals = averaging::smoothed(std::move(m_normals), m_surface.neighbors, rounds);
+    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds, least_cosine);
     m_surface.planes = &m_planes;
     return m_surface;
   }
@@ -104,6 +109,7 @@ private:
   std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
+  std::vector<averaging::Stretch> m_stretches;
   Surface m_surface;
 };
 

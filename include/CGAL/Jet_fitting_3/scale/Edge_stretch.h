@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_EDGE_STRETCH_H
+#define CGAL_JET_FITTING_3_SCALE_EDGE_STRETCH_H
+
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// A sum of products e e': xx, xy, xz, yy, yz, zz.
+using Products = std::array<double, 6>;
+
+inline double product_along(const Products& m, const Vector_3<double>& a, const Vector_3<double>& b)
+{
+  return m[0] * a.x * b.x + m[1] * (a.x * b.y + a.y * b.x) + m[2] * (a.x * b.z + a.z * b.x) + m[3] * a.y * b.y +
+         m[4] * (a.y * b.z + a.z * b.y) + m[5] * a.z * b.z;
+}
+
+/// Of the edges at each point, over the sum of their squares.
+template <class Neighbors>
+std::vector<Products> products_of_edges(const Surface_points<Neighbors>& surface)
+{
+  std::vector<Products> result(surface.points.size(), Products{});
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    double sum = 0;
+    for (const std::size_t v : surface.neighbors(i)) {
+      const Vector_3<double> e = surface.points[v] - surface.points[i];
+      const Products p{e.x * e.x, e.x * e.y, e.x * e.z, e.y * e.y, e.y * e.z, e.z * e.z};
+      for (std::size_t k = 0; k < p.size(); ++k) result[i][k] += p[k];
+      sum += dot(e, e);
+    }
+    if (sum > 0)
+      for (double& p : result[i]) p /= sum;
+  }
+  return result;
+}
+
+/// The stretch of edges with these mean products in the plane. Up to `least` there is none: disks do without, and edges
+/// of irregular triangles differ as much by chance.
+inline Stretch stretch_in_plane(const Products& products, const Vector_3<double>& normal)
+{
+  constexpr double least = 3, most = 1e4;
+  const Basis_3<double> axes = axes_around(normal);
+  const double xx = product_along(products, axes.x, axes.x), xy = product_along(products, axes.x, axes.y),
+               yy = product_along(products, axes.y, axes.y);
+  const double middle = (xx + yy) / 2, difference = std::hypot((xx - yy) / 2, xy);
+  const double ratio = std::sqrt((middle + difference) / std::max(middle - difference, middle / (most * most)));
+  if (!(ratio > least)) return {};
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  return {std::cos(angle) * axes.x + std::sin(angle) * axes.y, ratio};
+}
+
+/// By which angle the surface turns along an edge of the longer kind, from those at these points.
+template <class Neighbors>
+double turn_along(const Surface_points<Neighbors>& surface, const std::vector<std::size_t>& points,
+                  const Vector_3<double>& direction)
+{
+  double turn = 0, square = 0, count = 0;
+  for (const std::size_t i : points)
+    for (const std::size_t v : surface.neighbors(i)) {
+      const double length = dot(surface.points[v] - surface.points[i], direction);
+      turn += length * dot(surface.normals[v] - surface.normals[i], direction);
+      square += length * length;
+      count += 1;
+    }
+  return square > 0 ? std::abs(turn) / square * std::sqrt(2 * square / count) : 0;
+}
+
+/// At all points, from the edges within two rings. None where the surface turns too far along long edges: disks that
+/// reach over several of them are biased, and those that do not, as round as ever, have rows of vertices enough.
+template <class Neighbors>
+std::vector<Stretch> stretches_around(const Surface_points<Neighbors>& surface)
+{
+  constexpr double farthest = 0.2;
+  const std::vector<Products> own = products_of_edges(surface);
+  std::vector<Stretch> result;
+  result.reserve(own.size());
+  Walker<Neighbors> walker(surface);
+  std::vector<std::size_t> found, ends;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    walker.rings(i, 2, found, ends);
+    Products sum{};
+    for (const std::size_t v : found)
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += own[v][k];
+    Stretch stretch = stretch_in_plane(sum, surface.normals[i]);
+    if (stretch.ratio > 1 && turn_along(surface, found, stretch.direction) > farthest) stretch = {};
+    result.push_back(stretch);
+  }
+  return result;
+}
+
+/// What makes the mean length of such edges that of round ones that fill the same area.
+inline double length_factor(double stretch) { return std::sqrt(2 * stretch / (1 + stretch * stretch)); }
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_EDGE_STRETCH_H
