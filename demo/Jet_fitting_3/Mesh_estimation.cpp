@@ -157,10 +157,10 @@ void check_arguments(const Arguments& a, const Mesh& mesh)
   if (a.sharp_angle) throw Usage_error("--sharp-angle: " + a.input + " is a point set, which has no edges");
 }
 
-void flip(Mesh& mesh)
+void flip(Mesh& mesh, bool has_normals)
 {
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  if (!is_point_set(mesh)) return;
+  if (!has_normals) return;
   auto normals = map_in(mesh.property_map<Vertex, Vector>(normals_of_points));
   for (Vertex v : mesh.vertices()) normals[v] = -normals[v];
 }
@@ -203,7 +203,7 @@ bool read_surface(Results& r, Arguments& a, Summary_table& table)
   check_arguments(a, input.mesh);
   table.add_surface(a.input, input.mesh);
   r.remarks = input.remarks;
-  if (a.flips) flip(input.mesh);
+  if (a.flips) flip(input.mesh, is_point_set(input.mesh) || input.has_normals);
   r.mesh = std::move(input.mesh);
   a.of_points = is_point_set(r.mesh);
   r.is_sharp = a.sharp_angle ? sharp_edges(r.mesh, *a.sharp_angle) : Edge_marks(r.mesh.number_of_edges(), 0);

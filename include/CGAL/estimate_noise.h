@@ -57,28 +57,23 @@ Noise noise_of_points(const PointRange& points, const NamedParameters& np)
   return in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()), samples.per_length());
 }
 
-/// Of the nodes of a mesh.
-template <class Tables>
-std::vector<Vector_3<double>> normals_of_nodes(const Tables& tables, const Unit_normals& normals)
-{
-  std::vector<Vector_3<double>> result;
-  for (Index node = 0; node < tables.adjacency.number_of_nodes(); ++node)
-    result.push_back(normals[tables.adjacency.vertex(node)]);
-  return result;
-}
-
 template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
 Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
 {
   const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
-  const Unit_surface surface(tables);
+  constexpr bool has_normals = !Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  const Unit_surface surface(tables, has_normals);
   Noise noise = averaging::noise_of_surface(surface.surface()).of_all;
   if (!std::isfinite(noise.position))
     throw Invalid_input("estimate_noise(): of the " + std::to_string(tables.size()) +
                         " vertices of this mesh too few have enough others within three rings");
-  if constexpr (!Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value)
-    averaging::add_noise_of_normals(surface.surface(),
-                                    normals_of_nodes(tables, read_unit_normals(np, *tables.numbering)), noise);
+  if constexpr (has_normals) {
+    const averaging::Size_of_noise of_normals =
+        averaging::noise_of_normals(surface.surface(),
+                                    normals_of_nodes(tables, read_unit_normals(np, *tables.numbering)));
+    noise.normal = of_normals.value;
+    noise.normal_error = of_normals.error;
+  }
   return in_larger_unit(noise, tables.points.per_length());
 }
 

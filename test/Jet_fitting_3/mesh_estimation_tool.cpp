@@ -365,6 +365,48 @@ void check_default_output()
   test::check_true(fs::exists("first.ply") && fs::exists("second.csv"), "outputs before the input");
 }
 
+// The torus with normals, turned by a sign, as an OFF or PLY file.
+std::string torus_with_normals(bool as_ply, double sign)
+{
+  const double pi = std::acos(-1.);
+  std::istringstream in(torus());
+  std::ostringstream out;
+  out.precision(17);
+  std::string line;
+  std::getline(in, line);
+  std::getline(in, line);
+  if (!as_ply) out << "NOFF\n" << line << '\n';
+  else
+    out << "ply\nformat ascii 1.0\nelement vertex " << around * across
+        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\nproperty double ny\n"
+           "property double nz\nelement face "
+        << 2 * around * across << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across && std::getline(in, line); ++j) {
+      const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = sign * std::cos(v);
+      out << line << ' ' << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << sign * std::sin(v) << '\n';
+    }
+  out << in.rdbuf();
+  return out.str();
+}
+
+// Exact normals of a file are data, on whichever side they are.
+void check_normals_of_meshes()
+{
+  std::string expected;
+  for (const bool as_ply : {false, true})
+    for (const double sign : {1., -1.}) {
+      const std::string name = as_ply ? "normals.ply" : "normals.off";
+      write(name, torus_with_normals(as_ply, sign));
+      const Run made = run(name + " -o normals.csv");
+      test::check_true(made.out.find("normals of the file are data") != std::string::npos, name + ": " + made.out);
+      if (expected.empty()) expected = contents("normals.csv");
+      else test::check_true(contents("normals.csv") == expected, "the same forms from " + name);
+    }
+  test::check_equal(run("torus.off -q -o normals.csv").exit_code, 0, "without normals");
+  test::check_true(contents("normals.csv") != expected, "forms are others with normals");
+}
+
 // Permissions and symbolic links of files that are replaced.
 void check_replaced_files()
 {
@@ -721,6 +763,7 @@ int main(int argc, char* argv[])
   check_inside_out();
   check_ridges();
   check_points();
+  check_normals_of_meshes();
   check_connections();
   check_bad_input();
   check_claims();

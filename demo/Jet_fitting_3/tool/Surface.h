@@ -34,7 +34,7 @@ using Vertex = Mesh::Vertex_index;
 struct Input
 {
   Mesh mesh;
-  bool has_normals = false;         // at all points
+  bool has_normals = false;         // at all points, or most vertices
   std::vector<std::string> remarks; // sentences about what is odd in it, or was mended
 };
 

@@ -68,6 +68,15 @@ std::size_t highest_degree(const Arguments& a)
 }
 
 // One call with all named parameters, whether they have an effect or not: compiling a second one takes long.
+template <class Neighborhood, class NamedParameters>
+void estimate_sides(const Mesh& mesh, const Neighborhood& neighborhood, const CGAL::Jet_fitting::Options& options,
+                    const NamedParameters& np, Estimates& estimates)
+{
+  estimates.summary = CGAL::estimate_side_monge_forms<CGAL::Parallel_if_available_tag>(
+      mesh, neighborhood, boost::make_iterator_property_map(estimates.sides.begin(), get(boost::halfedge_index, mesh)),
+      std::back_inserter(estimates.forms), np, options);
+}
+
 template <class Neighborhood>
 Estimates estimate_mesh(const Mesh& mesh, const Edge_marks& is_sharp, const Neighborhood& neighborhood,
                         const Arguments& a, const Callback& callback)
@@ -75,14 +84,18 @@ Estimates estimate_mesh(const Mesh& mesh, const Edge_marks& is_sharp, const Neig
   Estimates estimates;
   estimates.sides.resize(mesh.number_of_halfedges());
   estimates.forms.reserve(mesh.number_of_vertices());
-  estimates.summary = CGAL::estimate_side_monge_forms<CGAL::Parallel_if_available_tag>(
-      mesh, neighborhood, boost::make_iterator_property_map(estimates.sides.begin(), get(boost::halfedge_index, mesh)),
-      std::back_inserter(estimates.forms),
+  const auto np =
       CGAL::parameters::degree_fitting(highest_degree<Neighborhood>(a))
           .degree_monge(a.degree_monge)
           .edge_is_constrained_map(boost::make_iterator_property_map(is_sharp.begin(), get(boost::edge_index, mesh)))
-          .callback(callback),
-      a.options);
+          .callback(callback);
+  if constexpr (std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value)
+    if (a.options.use_normals) {
+      const auto normals = map_in(mesh.property_map<Vertex, Vector>(normals_of_points));
+      estimate_sides(mesh, neighborhood, a.options, np.vertex_normal_map(normals), estimates);
+      return estimates;
+    }
+  estimate_sides(mesh, neighborhood, a.options, np, estimates);
   return estimates;
 }
 

@@ -52,21 +52,30 @@ inline std::string error_in_words(double error)
 inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_sharp, bool has_normals, Arguments& a,
                                         std::vector<std::string>& remarks, const std::function<void(double)>& show)
 {
-  const bool tries_normals = a.of_points && has_normals;
   const auto attempt = [&](double begin, double end) {
     return estimate_once(mesh, is_sharp, Context(), Choice::automatic, a,
                          [&](double fraction) { show(begin + fraction * (end - begin)); });
   };
-  Estimates estimates = attempt(0, tries_normals ? 0.5 : 1);
-  if (!tries_normals) return estimates;
+  Estimates estimates = attempt(0, has_normals ? 0.5 : 1);
+  if (!has_normals) return estimates;
   a.options.use_normals = true;
-  Estimates with_normals = attempt(0.5, 1);
+  Estimates with_normals;
+  try {
+    with_normals = attempt(0.5, 1);
+  } catch (const CGAL::Jet_fitting::Invalid_input&) { // their noise cannot be told
+  }
   const double error = expected_error(estimates), error_with = expected_error(with_normals);
   a.options.use_normals = error_with < error;
   std::ostringstream text;
-  text << "normals of the file are " << (a.options.use_normals ? "data" : "not data, they only orient")
-       << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them, "
-       << error_in_words(error) << " without";
+  if (std::isinf(with_normals.summary.noise.normal))
+    text << "normals of the file follow from its faces, and are no data";
+  else
+    text << "normals of the file are "
+         << (a.options.use_normals ? "data"
+             : a.of_points         ? "not data, they only orient"
+                                   : "not data")
+         << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them, "
+         << error_in_words(error) << " without";
   remarks.push_back(text.str());
   return a.options.use_normals ? with_normals : estimates;
 }

@@ -11,6 +11,7 @@
 #include "extension.h"
 #include "finite_number.h"
 #include "mend_soup.h"
+#include "normals_of_mesh.h"
 #include "ply_stream.h"
 #include "stl_stream.h"
 #include "Input_error.h"
@@ -111,10 +112,30 @@ inline Input read_point_set(const std::string& file)
   return input;
 }
 
-inline bool read_soup(const std::string& file, std::vector<Point>& points, std::vector<Corners>& faces)
+// Those of a PLY file, of which CGAL's reader of faces has none.
+inline std::vector<Vector> normals_of_ply(const std::string& file)
+{
+  const std::vector<Ply_element> elements = check_ply(file);
+  const auto has_normals = [](const Ply_element& e) {
+    const auto is_normal = [](const Ply_property& p) { return is_one_of(p.name, {"nx", "ny", "nz"}); };
+    return is_one_of(e.name, {"vertex", "vertices"}) &&
+           std::count_if(e.properties.begin(), e.properties.end(), is_normal) == 3;
+  };
+  std::vector<Vector> normals;
+  if (std::none_of(elements.begin(), elements.end(), has_normals)) return normals;
+  const Mesh points = read_point_set(file).mesh;
+  const auto of_points = map_in(points.property_map<Vertex, Vector>(normals_of_points));
+  for (const Vertex v : points.vertices()) normals.push_back(of_points[v]);
+  return normals;
+}
+
+// \param normals of all points, or none
+inline bool read_soup(const std::string& file, std::vector<Point>& points, std::vector<Corners>& faces,
+                      std::vector<Vector>& normals)
 {
   const std::string format = extension(file);
-  if (format == "off") return read_off(file, points, faces);
+  if (format == "off") return read_off(file, points, faces, normals);
+  if (format == "ply") normals = normals_of_ply(file);
   if (format == "ply") return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
   if (format == "stl") return !is_cut_short_stl(file) && CGAL::IO::read_STL(*stl_stream(file), points, faces);
   return CGAL::IO::read_polygon_soup(file, points, faces);
@@ -125,13 +146,15 @@ inline Input read_mesh(const std::string& file)
 {
   std::vector<Point> points;
   std::vector<Corners> faces;
-  if (!read_soup(file, points, faces))
+  std::vector<Vector> normals;
+  if (!read_soup(file, points, faces, normals))
     throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
   Input input;
   const std::string why_no_faces = why_not_faces(points.size(), faces);
   if (!why_no_faces.empty()) throw Input_error(file, why_no_faces);
   for (const std::string& done : {weld(points, faces), leave_out_degenerate(faces)})
     if (!done.empty()) input.remarks.push_back(done);
+  if (points.size() != normals.size()) normals.clear(); // of faces that had vertices of their own
   std::string why_not = why_not_a_mesh(points.size(), faces);
   if (!why_not.empty()) {
     input.remarks.push_back(mend_soup(points, faces, why_not));
@@ -139,6 +162,8 @@ inline Input read_mesh(const std::string& file)
     if (!why_not.empty()) throw Input_error(file, why_not);
   }
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, input.mesh);
+  if (!normals.empty()) normals.resize(points.size(), CGAL::NULL_VECTOR);
+  input.has_normals = take_normals(normals, input.mesh);
   if (CGAL::is_closed(input.mesh)) {
     std::vector<const Corners*> all;
     for (const Corners& face : faces) all.push_back(&face);

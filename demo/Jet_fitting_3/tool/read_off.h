@@ -114,6 +114,7 @@ private:
 struct Off_keyword
 {
   bool is_known = false;
+  bool has_normals = false;    // N: they follow the coordinates
   bool is_homogeneous = false; // 4: a fourth coordinate, by which the others are divided
   bool has_dimension = false;  // n: the number of coordinates comes next
 
@@ -125,10 +126,12 @@ struct Off_keyword
       return is_there;
     };
     take("ST");
-    if (take("N")) take("C");
-    else if (take("C")) take("N");
+    bool announces_normals = take("N");
+    take("C");
+    announces_normals = announces_normals || take("N");
     const bool has_4 = take("4"), has_n = take("n");
     is_known = word == "OFF";
+    has_normals = is_known && announces_normals;
     is_homogeneous = is_known && has_4;
     has_dimension = is_known && has_n;
   }
@@ -161,16 +164,17 @@ bool read_faces(Numbers& numbers, std::size_t count, std::size_t most, std::vect
   return true;
 }
 
-// The points and faces of an OFF file. Lines is true: each has a line of its own, on which normals, texture coordinates
-// and colors may follow; false: numbers follow one another, however they are spread over lines. No memory is taken for
-// counts that a text of this size cannot hold. \return whether it is such a text \throw Input_error if it is of another
-// kind
+// The points and faces of an OFF file. Lines is true: each has a line of its own, on which normals, which are read, and
+// texture coordinates and colors may follow; false: numbers follow one another, however they are spread over lines. No
+// memory is taken for counts that a text of this size cannot hold. \return whether it is such a text
+// \throw Input_error if it is of another kind
 template <bool Lines>
 bool parse_off(const std::string& file, Numbers& numbers, std::size_t size, std::vector<Point>& points,
-               std::vector<Corners>& faces)
+               std::vector<Corners>& faces, std::vector<Vector>& normals)
 {
   points.clear();
   faces.clear();
+  normals.clear();
   const auto begin = [&numbers] { return numbers.skip_to_content(); };
   const auto read = [&](auto& number) { return (Lines || numbers.skip_to_content()) && numbers.read(number); };
   if (!begin()) return false;
@@ -191,23 +195,28 @@ bool parse_off(const std::string& file, Numbers& numbers, std::size_t size, std:
     if ((Lines && !begin()) || !read(x) || !read(y) || !read(z) || (keyword.is_homogeneous && !read(w)) ||
         !std::isfinite(x / w + y / w + z / w))
       return false;
-    if (Lines) numbers.skip_line();
     points.emplace_back(x / w, y / w, z / w);
+    if (!Lines) continue;
+    double nx, ny, nz;
+    if (keyword.has_normals)
+      normals.push_back(read(nx) && read(ny) && read(nz) ? Vector(nx, ny, nz) : CGAL::NULL_VECTOR);
+    numbers.skip_line();
   }
   return read_faces<Lines>(numbers, number_of_faces, size, faces);
 }
 
 // Reads OFF files of text, several times as fast as CGAL's reader, which takes the sizes of faces on trust.
 // \return whether it is complete \throw Input_error if it is of a kind that is not read, or has what is no number
-inline bool read_off(const std::string& file, std::vector<Point>& points, std::vector<Corners>& faces)
+inline bool read_off(const std::string& file, std::vector<Point>& points, std::vector<Corners>& faces,
+                     std::vector<Vector>& normals)
 {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   std::string text(static_cast<std::size_t>(in.tellg()), ' ');
   in.seekg(0);
   if (!in.read(&text[0], static_cast<std::streamsize>(text.size()))) return false;
   Numbers by_lines(text), in_a_row(text);
-  if (parse_off<true>(file, by_lines, text.size(), points, faces) ||
-      parse_off<false>(file, in_a_row, text.size(), points, faces))
+  if (parse_off<true>(file, by_lines, text.size(), points, faces, normals) ||
+      parse_off<false>(file, in_a_row, text.size(), points, faces, normals))
     return true;
   const std::string refused = by_lines.refused();
   if (!refused.empty()) throw Input_error(file, refused);

@@ -68,7 +68,8 @@ struct Fit_options
   /// For points with normals as data: the standard deviations of the noise of a coordinate, in length, and of a
   /// component of the unit normal. What counts is their ratio, and that normals are shortened by their noise. 0 means
   /// exact. Both or neither: without them, the noise is estimated from the residuals of each fit. With automatic(),
-  /// which estimates that of the whole, position_noise alone is for positions alone.
+  /// which estimates that of the whole, position_noise alone is for positions alone, and on a mesh 0 for both is as if
+  /// neither were given.
   std::optional<double> position_noise, normal_noise;
   /// @}
 
@@ -87,7 +88,8 @@ struct Options : Fit_options
   /// The normals of `vertex_normal_map` or `normal_map` are data, and not only orient the forms: jets are fitted to
   /// positions and normals (steps/gauss_map_fitting.h), from a third of the points that a plain fit needs. With
   /// position_noise and normal_noise, if they are known; otherwise each fit estimates them. A point whose normal is
-  /// zero or not finite is no sample. Least squares only.
+  /// zero or not finite is no sample. Least squares only. With automatic() the noise is that of the whole point set or
+  /// mesh; on a mesh normals that follow from the faces are no data, and their noise is reported as infinite.
   bool use_normals = false;
 
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as

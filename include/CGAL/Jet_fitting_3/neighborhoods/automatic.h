@@ -24,14 +24,17 @@ namespace Jet_fitting {
 /// that radius, those are no neighbors. With Options::use_normals the jets are fitted to positions and normals; too few
 /// normals around a point that are known (not zero) are too few points.
 ///
-/// On a mesh, from positions alone: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the
-/// weights of least variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which
-/// may differ from part to part. The noise is estimated or given likewise; if edges differ by more than four times, it
-/// is estimated for each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24
-/// edges; orders above 4 come from one fit of degree `degree_monge`. The origin is the vertex itself. Where edges are
-/// more than three times as long in one direction as across it, and the surface turns by less than .2 radians along
-/// them, so are neighborhoods. Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the
-/// first rings that have 14 vertices is taken, and tells large errors.
+/// On a mesh: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the weights of least
+/// variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which may differ from
+/// part to part. The noise is estimated or given likewise; if edges differ by more than four times, it is estimated for
+/// each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24 edges; orders
+/// above 4 come from one fit of degree `degree_monge`. With Options::use_normals the normals of the vertices join all
+/// fits to order 4, and where they are good, radii for order 2 begin with one ring; normals that follow from the faces,
+/// as those of Polygon_mesh_processing::compute_vertex_normals() do, say nothing that positions do not say, and are
+/// left aside. The origin is the vertex itself. Where edges are more than three times as long in one
+/// direction as across it, the surface turns by less than .2 radians along them, and normals are no data, so are
+/// neighborhoods. Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the first rings
+/// that have 14 vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
 /// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was

@@ -8,11 +8,13 @@
 #define CGAL_JET_FITTING_3_SCALE_CANDIDATE_H
 
 #include <CGAL/Jet_fitting_3/scale/Moments.h>
+#include <CGAL/Jet_fitting_3/steps/gauss_map_series.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -135,7 +137,8 @@ public:
     for (std::size_t order = 0; order <= degree; ++order)
       for (std::size_t j = 0; j <= order; ++j) {
         double& scale = m_scale[place(order) + j];
-        scale = 1 / std::sqrt(moments.terms[term_index(2 * order, 2 * j)]);
+        const double of_slopes = moments.slope_weight > 0 ? moments.product_of_gradients(order, j, order, j) : 0;
+        scale = 1 / std::sqrt(moments.terms[term_index(2 * order, 2 * j)] + of_slopes);
         if (!std::isfinite(scale)) return;
       }
     for (std::size_t order = 0; order <= degree; ++order)
@@ -145,6 +148,9 @@ public:
           const double* scales = &m_scale[place(lower)];
           double* entries = &m_factor[place(order) + j][place(lower)];
           for (std::size_t i = 0; i <= lower; ++i) entries[i] = m_scale[place(order) + j] * scales[i] * terms[i];
+          if (moments.slope_weight > 0)
+            for (std::size_t i = 0; i <= lower; ++i)
+              entries[i] += m_scale[place(order) + j] * scales[i] * moments.product_of_gradients(order, j, lower, i);
         }
     m_is_regular = factorize();
   }
@@ -153,7 +159,7 @@ public:
   bool is_regular() const { return m_is_regular; }
 
   /// The coefficients up to an order, from the heights, which are moments.
-  std::array<double, most> solution(const std::array<double, most>& heights, std::size_t order) const
+  Coefficients solution(const Coefficients& heights, std::size_t order) const
   {
     Row y{};
     for (std::size_t k = 0; k <= m_degree; ++k)
@@ -163,7 +169,7 @@ public:
   }
 
   /// The column of the inverse matrix for the coefficient of x^(order - j) y^j.
-  std::array<double, most> column(std::size_t order, std::size_t j) const
+  Coefficients column(std::size_t order, std::size_t j) const
   {
     Row y{};
     y[place(order) + j] = m_scale[place(order) + j];
@@ -207,7 +213,7 @@ private:
   }
 
   // Backward, as far as an order.
-  std::array<double, most> coefficients(Row& y, std::size_t order) const
+  Coefficients coefficients(Row& y, std::size_t order) const
   {
     for (std::size_t a = m_size; a-- > place(order);) {
       Pack products = 0;
@@ -217,7 +223,7 @@ private:
       for (std::size_t lane = 0; lane < lanes; ++lane) sum -= products[int(lane)];
       y[a] = sum * m_per_diagonal[a];
     }
-    std::array<double, most> result{};
+    Coefficients result{};
     for (std::size_t k = 0; k <= order; ++k)
       for (std::size_t j = 0; j <= k; ++j) result[term_index(k, j)] = m_scale[place(k) + j] * y[place(k) + j];
     return result;
@@ -246,6 +252,17 @@ inline double derivative_factor(std::size_t order, std::size_t j)
   return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
 }
 
+/// What a row answers to the slopes of terms above the degree.
+inline void add_responses_of_slopes(const Moments& moments, std::size_t degree, Estimate_row& row)
+{
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = 0; i <= k; ++i)
+      for (std::size_t high = degree + 1; high <= highest_order; ++high)
+        for (std::size_t l = 0; l <= high; ++l)
+          row.responses[term_index(high, l)] +=
+              row.of_moments[term_index(k, i)] * moments.product_of_gradients(high, l, k, i);
+}
+
 /// The row for the j-th derivative of this order.
 inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& matrix, std::size_t degree,
                                  std::size_t order, std::size_t j)
@@ -262,12 +279,77 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
       for (std::size_t high = degree + 1; high <= highest_order; ++high)
         for (std::size_t l = 0; l <= high; ++l)
           row.responses[term_index(high, l)] += row.of_moments[a] * moments.terms[term_index(high + k, i + l)];
+  if (moments.slope_weight > 0) add_responses_of_slopes(moments, degree, row);
   return row;
 }
 
 /// The sum of the squares of all derivatives of an order, times their binomial coefficients, that a surface's terms of
 /// that order have in the mean if their coefficients are independent with variances binomial(order, j).
 inline double size_of_unit_terms(std::size_t order) { return double(order + 1) * factorial(order) * factorial(order); }
+
+/// What moments of slopes add to heights, without a defect of the slopes up to an order.
+inline Coefficients without_defect(const Moments& moments, std::size_t degree,
+                                   const numeric::Vector_field<double>& defect, std::size_t order)
+{
+  Coefficients heights = moments.heights;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t j = 0; j <= k; ++j) {
+      double of_x = 0, of_y = 0;
+      for (std::size_t l = 0; l <= order; ++l)
+        for (std::size_t i = 0; i <= l; ++i) {
+          if (j < k) of_x += defect.x.order(l)[i] * moments.terms[term_index(k - 1 + l, j + i)];
+          if (j > 0) of_y += defect.y.order(l)[i] * moments.terms[term_index(k - 1 + l, j - 1 + i)];
+        }
+      heights[term_index(k, j)] -= moments.slope_weight * (double(k - j) * of_x + double(j) * of_y);
+    }
+  return heights;
+}
+
+/// What the tangential parts of normals are more than the gradient of z (1 + n_z) / 2, by terms of the latter up to an
+/// order, 4 at most. To third order these are the potential's of the Gauss map.
+inline numeric::Vector_field<double> defect_of_slopes(numeric::Power_series<double> phi, std::size_t known)
+{
+  if (known == 4) {
+    const Gauss_map_defect<double> of_third_order = gauss_map_defect(phi);
+    for (std::size_t i = 0; i <= 4; ++i) phi.order(4)[i] -= of_third_order.heights.order(4)[i];
+  }
+  Gauss_map_defect<double> defect = gauss_map_defect(phi);
+  const numeric::Vector_field<double> of_heights = numeric::gradient(defect.heights);
+  for (std::size_t k = 0; k < phi.highest(); ++k)
+    for (std::size_t i = 0; i <= k; ++i) {
+      defect.slopes.x.order(k)[i] -= of_heights.x.order(k)[i];
+      defect.slopes.y.order(k)[i] -= of_heights.y.order(k)[i];
+    }
+  return defect.slopes;
+}
+
+/// The coefficients of z (1 + n_z) / 2 up to an order. What of the slopes is not its gradient is subtracted: it begins
+/// with order 3, and follows from terms of one order less, which each pass knows better.
+/// \return none if a further pass changes second derivatives by more than the first one, and not by rounding alone
+inline std::optional<Coefficients> solution_for_potential(const Moments& moments, const Normal_matrix& matrix,
+                                                          std::size_t degree, std::size_t order)
+{
+  const std::size_t order_of_slopes = std::max<std::size_t>(3, degree - 1),
+                    known = std::max<std::size_t>(2, degree - 2);
+  Coefficients solution = matrix.solution(moments.heights, std::max(known, order));
+  constexpr double rounding = 1e-8; // of squares
+  double first = 0;
+  for (std::size_t pass = 0; pass < degree / 2; ++pass) {
+    numeric::Power_series<double> phi(1, order_of_slopes + 1);
+    for (std::size_t k = 1; k <= known; ++k) std::copy_n(&solution[term_index(k, 0)], k + 1, phi.order(k));
+    const Coefficients before = solution;
+    solution = matrix.solution(without_defect(moments, degree, defect_of_slopes(phi, known), order_of_slopes),
+                               std::max(known, order));
+    double change = 0, size = 0;
+    for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) {
+      change += (solution[t] - before[t]) * (solution[t] - before[t]);
+      size += solution[t] * solution[t];
+    }
+    if (pass == 0) first = change;
+    else if (!(change <= std::max(first, rounding * size))) return std::nullopt;
+  }
+  return solution;
+}
 
 /// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
 /// coefficient, or the samples hardly determine it (noise would grow to more than 1000 / radius^order times the
@@ -277,10 +359,15 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
                            std::size_t order, bool with_rows)
 {
   Candidate result;
-  if (degree < order || moments.size() < 1.3 * double(number_of_jet_coefficients(degree))) return result;
+  if (degree < order || moments.equations(degree, radius) < 1.3 * double(number_of_jet_coefficients(degree)))
+    return result;
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
-  const auto solution = matrix.solution(moments.heights, order);
+  const std::optional<Coefficients> found = moments.are_of_potentials
+                                                ? solution_for_potential(moments, matrix, degree, order)
+                                                : matrix.solution(moments.heights, order);
+  if (!found) return result;
+  const Coefficients& solution = *found;
   result.height = solution[0];
   result.slopes = {solution[1], solution[2]};
   double bound = 1e6 * size_of_unit_terms(order);

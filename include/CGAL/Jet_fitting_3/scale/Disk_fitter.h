@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -95,13 +96,21 @@ public:
     typename Walker<Neighbors>::Disk disk;
     walker.disk(i, frame, ladder.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, m_most},
                 disk);
+    std::vector<Slope> slopes;
+    if (m_surface.given) slopes = slopes_of(disk, frame);
     if (m_height == Height::potential)
       for (std::size_t k = 0; k < disk.places.size(); ++k)
         disk.places[k].z *= (1 + dot(m_surface.normals[disk.vertices[k]], frame.axes.z)) / 2;
     Moments moments;
+    if (m_surface.given) {
+      moments.slope_weight = m_surface.given->weights[i];
+      moments.are_of_potentials = m_height == Height::potential;
+    }
     for (std::size_t j = 0, k = 0; j < disk.ends.size(); ++j) {
       const std::size_t count = disk.ends[j] - k;
       add(disk.places.data() + k, count, selection.degree(j), with_rows, moments);
+      if (m_surface.given)
+        add_slopes(disk.places.data() + k, slopes.data() + k, count, selection.degree(j), with_rows, moments);
       k = disk.ends[j];
       if (j > 0 && count < 3) continue; // the same fit again
       for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
@@ -124,6 +133,35 @@ private:
     else if (degree <= 2) moments.add<2>(samples, count);
     else if (degree <= 4) moments.add<4>(samples, count);
     else moments.add<highest_degree>(samples, count);
+  }
+
+  static void add_slopes(const Vector_3<double>* samples, const Slope* slopes, std::size_t count, std::size_t degree,
+                         bool with_rows, Moments& moments)
+  {
+    if (with_rows) moments.add_slopes<highest_degree>(samples, slopes, count);
+    else if (degree <= 2) moments.add_slopes<2>(samples, slopes, count);
+    else if (degree <= 4) moments.add_slopes<4>(samples, slopes, count);
+    else moments.add_slopes<highest_degree>(samples, slopes, count);
+  }
+
+  // Those that the normals tell; of the potential, their tangential parts. Leaves out vertices of which they tell none.
+  std::vector<Slope> slopes_of(typename Walker<Neighbors>::Disk& disk, const Local_frame& frame) const
+  {
+    std::vector<Slope> slopes;
+    std::size_t kept = 0;
+    for (std::size_t j = 0, k = 0; j < disk.ends.size(); disk.ends[j++] = kept)
+      for (; k < disk.ends[j]; ++k) {
+        const Vector_3<double> n = frame.axes.in(m_surface.given->normals[disk.vertices[k]]);
+        const std::optional<Slope> slope = slope_of(n);
+        if (!slope) continue;
+        const double factor = -m_surface.given->factor;
+        slopes.push_back(m_height == Height::z ? *slope : Slope{factor * n.x, factor * n.y});
+        disk.vertices[kept] = disk.vertices[k];
+        disk.places[kept++] = disk.places[k];
+      }
+    disk.vertices.resize(kept);
+    disk.places.resize(kept);
+    return slopes;
   }
 
   const Surface_points<Neighbors>& m_surface;

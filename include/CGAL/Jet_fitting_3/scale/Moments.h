@@ -12,8 +12,10 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -29,15 +31,41 @@ constexpr std::size_t highest_order = 8;
 /// The place of x^(order - j) y^j among them: 1, x, y, x^2, xy, y^2, ...
 constexpr std::size_t term_index(std::size_t order, std::size_t j) { return order * (order + 1) / 2 + j; }
 
+/// Of x^i y^j up to the highest degree, in the order of term_index().
+using Coefficients = std::array<double, number_of_jet_coefficients(highest_degree)>;
+
+/// z_x and z_y.
+struct Slope
+{
+  double x, y;
+};
+
 /// What samples contribute to the normal equations of all degrees, and to the effect of terms beyond the degree. The
 /// entries of both are moments; sums over shells nest.
 struct Moments
 {
   std::array<double, number_of_jet_coefficients(highest_degree + highest_order)> terms{}; ///< sums of x^i y^j
-  std::array<double, number_of_jet_coefficients(highest_degree)> heights{};               ///< sums of x^i y^j z
+  Coefficients heights{};         ///< of x^i y^j z, and what slopes add
+  double slope_weight = 0;        ///< of the square of a slope, where slopes are data, that of a height being 1
+  bool are_of_potentials = false; ///< heights z (1 + n_z) / 2, and tangential parts of normals in the place of slopes
 
   /// Number of samples.
   double size() const { return terms[0]; }
+  /// Of samples within a radius, with slopes as far as they count as much as heights for terms of the degree.
+  double equations(std::size_t degree, double radius) const
+  {
+    const double of_slope = slope_weight * double(degree * degree) / (radius * radius);
+    return size() * (1 + 2 * std::min(1., of_slope));
+  }
+
+  /// The weighted sum of the products of the gradients of x^(k - j) y^j and x^(l - i) y^i.
+  double product_of_gradients(std::size_t k, std::size_t j, std::size_t l, std::size_t i) const
+  {
+    double sum = 0;
+    if (k > j && l > i) sum += double((k - j) * (l - i)) * terms[term_index(k + l - 2, j + i)];
+    if (j > 0 && i > 0) sum += double(j * i) * terms[term_index(k + l - 2, j + i - 2)];
+    return slope_weight * sum;
+  }
 
   /// More samples.
   /// \tparam degree of the heights' highest entry
@@ -46,6 +74,24 @@ struct Moments
   void add(const Vector_3<double>* samples, std::size_t count)
   {
     numeric::add_moments<order, degree>(samples, count, terms.data(), heights.data());
+  }
+
+  /// Slopes of samples that have been added. \tparam degree as for these
+  template <std::size_t degree>
+  void add_slopes(const Vector_3<double>* samples, const Slope* slopes, std::size_t count)
+  {
+    std::vector<Vector_3<double>> values(samples, samples + count); // slopes in the place of heights
+    Moments x, y;
+    for (std::size_t k = 0; k < count; ++k) values[k].z = slopes[k].x;
+    x.add<degree - 1, degree - 1>(values.data(), count);
+    for (std::size_t k = 0; k < count; ++k) values[k].z = slopes[k].y;
+    y.add<degree - 1, degree - 1>(values.data(), count);
+    for (std::size_t order = 1; order <= degree; ++order)
+      for (std::size_t j = 0; j <= order; ++j) {
+        double& height = heights[term_index(order, j)];
+        if (j < order) height += slope_weight * double(order - j) * x.heights[term_index(order - 1, j)];
+        if (j > 0) height += slope_weight * double(j) * y.heights[term_index(order - 1, j - 1)];
+      }
   }
 };
 

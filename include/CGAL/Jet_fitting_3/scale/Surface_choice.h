@@ -60,7 +60,7 @@ public:
     const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
       return Choice_of_height(surface, squares_of_noise, ladder, height, places, for_each);
     };
-    Ladder ladder = widest_ladder(highest);
+    Ladder ladder = widest_ladder(highest, surface.given && surface.given->suffice_in_one_ring);
     std::vector<std::size_t> some;
     for (std::size_t k = 0; k < vertices.size(); k += 8) some.push_back(vertices[k]);
     std::size_t shells = 0;
@@ -87,10 +87,11 @@ public:
   }
 
   /// Of all candidates that there may be.
-  static Ladder widest_ladder(std::size_t highest)
+  /// \param from_one_ring or from two, as positions need
+  static Ladder widest_ladder(std::size_t highest, bool from_one_ring = false)
   {
     std::vector<double> radii;
-    for (double r = 2; r < 16; r *= 1.2) radii.push_back(r);
+    for (double r = from_one_ring ? 2 / (1.2 * 1.2 * 1.2 * 1.2) : 2; r < 16; r *= 1.2) radii.push_back(r);
     std::vector<std::size_t> degrees;
     for (std::size_t d = 2; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
     return ladder_of(std::move(radii), std::move(degrees));

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,7 @@ struct Tangent_plane
 {
   Vector_3<double> origin, normal;
   double lean = 0; ///< how far the middle of three rings lies beside the vertex, in units: about 1 at a border
+  double bend = 0; ///< the mean square of the principal curvatures, per square of the unit
 };
 
 /// How edges around a vertex differ by direction: those along one are so many times as long as those across it.
@@ -35,6 +37,35 @@ struct Stretch
   Vector_3<double> direction; ///< of length 1, if the ratio is not 1
   double ratio = 1;
 };
+
+/// Normals as data, of length 1; those that are unknown are 0.
+struct Given_normals
+{
+  std::vector<Vector_3<double>> normals;
+  std::vector<double> weights; ///< of the square of a slope, that of a height in the unit of the vertex being 1
+  double factor = 1;           ///< makes noisy normals as long in the mean as those without noise
+  double noise = 0;
+  bool suffice_in_one_ring = false; ///< they count as much there as positions for a fit of degree 4
+};
+
+/// Takes the given normals in the place of others if these differ from them by more than the given ones' noise, and as
+/// much of their own, explains.
+inline void take_better_normals(const Given_normals& given, std::vector<Vector_3<double>>& normals)
+{
+  const auto is_known = [&](std::size_t i) { return dot(given.normals[i], given.normals[i]) > 0; };
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vector_3<double> across = cross(given.normals[i], normals[i]);
+    if (is_known(i)) squares.push_back(dot(across, across));
+  }
+  if (squares.empty()) return;
+  const auto median = squares.begin() + std::ptrdiff_t(squares.size() / 2);
+  std::nth_element(squares.begin(), median, squares.end());
+  const double of_two_squares = 2 * std::log(2.); // the median of the sum of two squares of normal variables
+  if (*median <= of_two_squares * 2 * given.noise * given.noise) return;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (is_known(i)) normals[i] = given.normals[i];
+}
 
 /// Points of a surface whose neighbors are known. Arrays are not owned.
 /// \tparam Neighbors neighbors(i) is a range of the numbers of the vertices to which the surface continues from i
@@ -47,9 +78,18 @@ struct Surface_points
   const std::vector<double>& units;                   ///< at all points, of radii: the length of the edges around
   const std::vector<Tangent_plane>* planes = nullptr; ///< at all points, if they are known
   const std::vector<Stretch>* stretches = nullptr;    ///< at all points; null: edges are as long in all directions
+  const Given_normals* given = nullptr;               ///< if they are data
 
   double stretch(std::size_t i) const { return stretches ? (*stretches)[i].ratio : 1; }
 };
+
+/// The slopes that a normal in a frame tells. None are told by normals that are unknown, or lean far.
+inline std::optional<Slope> slope_of(const Vector_3<double>& normal)
+{
+  constexpr double least_cosine = 0.2;
+  if (!(normal.z > least_cosine)) return std::nullopt;
+  return Slope{-normal.x / normal.z, -normal.y / normal.z};
+}
 
 /// An origin and axes, z along the normal.
 struct Local_frame
@@ -229,19 +269,20 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
   walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places(found.size());
   Local_frame frame{surface.points[i], axes_around(surface, i, surface.normals[i])};
-  double lean = 0;
+  double lean = 0, bend = 0;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
     Moments moments;
     moments.add<2>(places.data(), places.size());
     const Normal_matrix matrix(moments, 2);
     if (!matrix.is_regular()) break;
-    const auto c = matrix.solution(moments.heights, 1);
+    const auto c = matrix.solution(moments.heights, 2);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(surface, i, frame.axes.out({-c[1], -c[2], 1}));
     lean = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
+    bend = 2 * c[3] * c[3] + c[4] * c[4] + 2 * c[5] * c[5];
   }
-  return {frame.origin, frame.axes.z, lean};
+  return {frame.origin, frame.axes.z, lean, bend};
 }
 
 /// Its frame, in which edges are round; the plane is taken from the surface if it is there.

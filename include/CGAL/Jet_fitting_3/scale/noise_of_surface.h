@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -65,8 +66,7 @@ std::vector<double> lengths_around(const Surface_points<Neighbors>& surface)
 }
 
 /// The sum of x^i y^j times the first coefficients, up to the degree, and its gradient as slopes.
-inline scale::Polynomial_value value_at(const std::array<double, number_of_jet_coefficients(highest_degree)>& c,
-                                        std::size_t degree, double x, double y)
+inline scale::Polynomial_value value_at(const Coefficients& c, std::size_t degree, double x, double y)
 {
   scale::Polynomial_value value;
   double power_of_y = 1, below = 0; // y^j, j y^(j - 1)
@@ -148,32 +148,38 @@ void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, c
   }
 }
 
-/// What is left at a place by fits of two degrees to three, four and five rings, in length.
+/// What is left at a place by fits of two degrees to so many rings, the next, and the one after it.
 struct Residuals_at_place
 {
-  static constexpr std::size_t first_ring = 3, rings = 3;
+  static constexpr std::size_t rings = 3;
   double unit;
   std::array<std::array<double, rings>, 2> variances; // of two degrees
   std::array<std::size_t, rings> counts;
 };
 
-/// The noise at some places, of so many points, infinite where they are too few: the least of the medians for fits of
-/// both degrees to three and four rings: more rings or lower degrees take the surface for noise, as the next ring
-/// tells.
-inline Noise noise_at_places(const std::vector<Residuals_at_place>& places, std::size_t size)
+/// A standard deviation, and its standard error.
+struct Size_of_noise
+{
+  double value = std::numeric_limits<double>::infinity(), error = 0;
+};
+
+/// That at some places, of so many points, infinite where they are too few: the least of the medians for fits of
+/// both degrees to the first two numbers of rings: more rings or lower degrees take the surface for noise, as the
+/// next ring tells.
+inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& places, std::size_t size,
+                                     std::size_t first_ring)
 {
   using Place = Residuals_at_place;
-  Noise noise;
-  noise.position = std::numeric_limits<double>::infinity();
+  Size_of_noise noise;
   for (std::size_t degree = 0; degree < 2; ++degree) {
     std::array<Variances_of_surface, Place::rings> of_rings;
     for (const Place& place : places)
       for (std::size_t k = 0; k < Place::rings; ++k) of_rings[k].add(place.variances[degree][k], place.counts[k]);
     for (std::size_t k = 0; k + 1 < Place::rings; ++k) {
       const scale::Estimated_variance own = of_rings[k].median(size), larger = of_rings[k + 1].median(size);
-      if (!(std::sqrt(own.value) < noise.position)) continue;
-      const double factor = double(Place::first_ring + k + 1) / double(Place::first_ring + k);
-      scale::set_noise(own, scale::misfit(own, larger, factor), noise.position, noise.position_error);
+      if (!(std::sqrt(own.value) < noise.value)) continue;
+      const double factor = double(first_ring + k + 1) / double(first_ring + k);
+      scale::set_noise(own, scale::misfit(own, larger, factor), noise.value, noise.error);
     }
   }
   return noise;
@@ -204,23 +210,23 @@ struct Surface_noise
 };
 
 /// What fits of two degrees leave at places spread over the surface, the shortest unit first.
-template <class Neighbors>
-std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface,
-                                                    const std::array<std::size_t, 2>& degrees)
+/// \param variance variance(frame, vertices, count, degree, unit) of a fit to the first so many vertices
+template <class Neighbors, class Variance>
+std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface, std::size_t first_ring,
+                                                    const std::array<std::size_t, 2>& degrees, const Variance& variance)
 {
   using Place = Residuals_at_place;
   std::vector<Place> places;
   const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
     Place place{surface.units[i], {}, {}};
     for (std::size_t k = 0; k < Place::rings; ++k) {
-      place.counts[k] = ends[Place::first_ring + k];
+      place.counts[k] = ends[first_ring + k];
       for (std::size_t d = 0; d < 2; ++d)
-        place.variances[d][k] =
-            place.unit * place.unit * residual_variance(surface, frame, found, place.counts[k], degrees[d], place.unit);
+        place.variances[d][k] = variance(frame, found, place.counts[k], degrees[d], place.unit);
     }
     places.push_back(place);
   };
-  visit_places(surface, Place::first_ring + Place::rings - 1, visit);
+  visit_places(surface, first_ring + Place::rings - 1, visit);
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.unit < b.unit; });
   return places;
 }
@@ -230,46 +236,105 @@ template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {
   constexpr double most = 4; // ratio of units that are taken together
-  constexpr std::size_t least = 20;
+  constexpr std::size_t least = 20, first_ring = 3;
   const std::size_t size = surface.points.size();
-  const std::vector<Residuals_at_place> places = residuals_at_places(surface, {4, 6});
+  const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
+                            double unit) {
+    return unit * unit * residual_variance(surface, frame, vertices, count, degree, unit);
+  };
+  const std::vector<Residuals_at_place> places = residuals_at_places(surface, first_ring, {4, 6}, variance);
   Surface_noise result;
-  result.of_all = noise_at_places(places, size);
-  if (!std::isfinite(result.of_all.position)) {
-    result.of_all = noise_at_places(residuals_at_places(surface, {2, 3}), size); // as with four rows of vertices
-    return result;
-  }
+  Size_of_noise of_all = noise_at_places(places, size, first_ring);
+  const bool is_told = std::isfinite(of_all.value);
+  if (!is_told) // as with four rows of vertices
+    of_all = noise_at_places(residuals_at_places(surface, first_ring, {2, 3}, variance), size, first_ring);
+  result.of_all = {of_all.value, of_all.error};
+  if (!is_told) return result;
   if (places.empty() || places.back().unit <= most * places.front().unit) return result;
   for (auto begin = places.begin(), end = begin; begin != places.end(); begin = end) {
     while (end != places.end() && end->unit <= most * begin->unit) ++end;
     const std::vector<Residuals_at_place> part(begin, end);
-    const double noise = noise_at_places(part, size).position;
+    const double noise = noise_at_places(part, size, first_ring).value;
     if (part.size() >= least && noise > 0 && std::isfinite(noise))
       result.by_scale.push_back({part[part.size() / 2].unit, noise});
   }
   return result;
 }
 
-/// Adds that of normals of length 1, one for each point; from fits of degree 4 to three rings.
-template <class Neighbors>
-void add_noise_of_normals(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& normals,
-                          Noise& noise)
+/// The mean square of the difference of normals from those of a fit to their slopes alone, per degree of freedom of
+/// components, or infinity; made that of the variance as residual_variance() does.
+inline double residual_variance_of_normals(const std::vector<Vector_3<double>>& places,
+                                           const std::vector<Vector_3<double>>& normals, std::size_t degree)
 {
-  const scale::Cloud cloud{surface.points.data(), normals.data(), normals.size()};
-  std::array<Variances_of_surface, 2> variances; // of three rings, of four
-  visit_places(surface, 4, [&](std::size_t i, const Local_frame&, const auto& found, const auto& ends) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::vector<std::size_t> near(found.begin(), found.begin() + std::ptrdiff_t(ends[3 + k]));
-      const double radius = double(3 + k) * surface.units[i];
-      const scale::Local_frame by_normals =
-          scale::frame_by_normals(cloud, near, found[0], radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
-      const double variance = scale::residual_variance(cloud, near, by_normals, radius, true);
-      if (variance >= 0) variances[k].add(variance, near.size());
+  const std::size_t unknowns = number_of_jet_coefficients(degree) - 1;
+  if (2 * places.size() < unknowns + 8) return std::numeric_limits<double>::infinity();
+  std::vector<Slope> slopes;
+  for (const Vector_3<double>& n : normals) slopes.push_back(*slope_of(n));
+  Moments moments;
+  moments.slope_weight = 1e12; // heights have no say
+  moments.add<highest_degree>(places.data(), places.size());
+  moments.add_slopes<highest_degree>(places.data(), slopes.data(), places.size());
+  const Normal_matrix matrix(moments, degree);
+  if (!matrix.is_regular()) return std::numeric_limits<double>::infinity();
+  const auto c = matrix.solution(moments.heights, degree);
+  double sum = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const scale::Polynomial_value fitted = value_at(c, degree, places[k].x, places[k].y);
+    const Vector_3<double> n = axes_around(Vector_3<double>{-fitted.slope_u, -fitted.slope_v, 1}).z;
+    const Vector_3<double> across = cross(n, normals[k]);
+    sum += dot(across, across);
+  }
+  const double freedom = double(2 * places.size() - unknowns);
+  return scale::median_correction(freedom) * sum / freedom;
+}
+
+/// That of normals of length 1, one for each point; those that are unknown are 0.
+template <class Neighbors>
+Size_of_noise noise_of_normals(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& normals)
+{
+  constexpr std::size_t first_ring = 2;
+  const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
+                            double unit) {
+    std::vector<Vector_3<double>> places, in_frame;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Vector_3<double> n = frame.axes.in(normals[vertices[k]]);
+      if (!slope_of(n)) continue;
+      places.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
+      in_frame.push_back(n);
     }
+    return residual_variance_of_normals(places, in_frame, degree);
+  };
+  return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, variance), surface.points.size(), first_ring);
+}
+
+/// Whether normals follow from those of the faces: half of what these deviate from those of fits of degree 4 to three
+/// rings is in given ones, too, and these do not deviate by far more. Of independent normals it is nothing in the mean,
+/// whatever the noise of both: the error of a least squares fit is uncorrelated with what other estimates differ from
+/// it.
+template <class Neighbors>
+bool follow_from_faces(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& given,
+                       const std::vector<Vector_3<double>>& of_faces)
+{
+  constexpr double dependent = 0.5, far = 4; // square
+  std::vector<double> shares, squares_of_given, squares_of_faces;
+  visit_places(surface, 3, [&](std::size_t i, const Local_frame& frame, const auto& found, const auto&) {
+    std::vector<Vector_3<double>> local;
+    for (const std::size_t v : found) local.push_back(1 / surface.units[i] * frame.in(surface.points[v]));
+    Moments moments;
+    moments.add<4>(local.data(), local.size());
+    const Normal_matrix matrix(moments, 4);
+    if (local.size() < number_of_jet_coefficients(4) + 8 || !matrix.is_regular()) return;
+    const auto c = matrix.solution(moments.heights, 1);
+    const std::optional<Slope> a = slope_of(frame.axes.in(given[i])), b = slope_of(frame.axes.in(of_faces[i]));
+    if (!a || !b) return;
+    const Slope first{a->x - c[1], a->y - c[2]}, second{b->x - c[1], b->y - c[2]};
+    squares_of_given.push_back(first.x * first.x + first.y * first.y);
+    squares_of_faces.push_back(second.x * second.x + second.y * second.y);
+    if (squares_of_faces.back() > 0)
+      shares.push_back((first.x * second.x + first.y * second.y) / squares_of_faces.back());
   });
-  const scale::Estimated_variance own = variances[0].median(surface.points.size()),
-                                  larger = variances[1].median(surface.points.size());
-  scale::set_noise(own, scale::misfit(own, larger, 4. / 3), noise.normal, noise.normal_error);
+  return !shares.empty() && scale::median(shares) > dependent &&
+         scale::median(squares_of_given) < far * scale::median(squares_of_faces);
 }
 
 /// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell

@@ -19,6 +19,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Order_choice.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
@@ -29,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,6 +40,13 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Normals of vertices that are data, or none, and those of the faces, to tell whether these are where they come from.
+struct Normals_as_data
+{
+  Unit_normals given;
+  std::vector<Vector_3<double>> of_faces;
+};
 
 /// Calls body(k) for each k below count, a few at a time, with a body for each thread.
 template <class ConcurrencyTag>
@@ -76,11 +85,12 @@ public:
   };
 
   template <class ConcurrencyTag, class Tables>
-  Learned_surface(ConcurrencyTag, const Tables& tables, const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees), m_surface(tables), m_noise(noise(tables.points, options)),
+  Learned_surface(ConcurrencyTag, const Tables& tables, const Normals_as_data& normals,
+                  const Automatic_degrees& degrees, const Options& options)
+    : m_degrees(degrees), m_surface(tables, !normals.given.empty()), m_noise(noise(tables.points, options)),
       m_squares_of_noise(squares_of_noise()),
-      m_choice(m_surface.with_tangent_planes(m_squares_of_noise, For_each_with_body<ConcurrencyTag>()),
-               m_squares_of_noise, degrees.highest, For_each_with_body<ConcurrencyTag>())
+      m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
+               degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
@@ -145,6 +155,39 @@ private:
     return result;
   }
 
+  template <class Tables, class For_each>
+  const Unit_surface::Surface& surface_with_data(const Tables& tables, const Normals_as_data& normals,
+                                                 const Options& options, const For_each& for_each)
+  {
+    if (!normals.given.empty()) take_normals(tables, normals, options);
+    return m_surface.with_tangent_planes(m_squares_of_noise, for_each);
+  }
+
+  // As data, unless they follow from the positions.
+  template <class Tables>
+  void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options)
+  {
+    std::vector<Vector_3<double>> given = normals_of_nodes(tables, normals.given), of_faces;
+    for (Index node = 0; node < given.size(); ++node)
+      of_faces.push_back(normals.of_faces[tables.adjacency.vertex(node)]);
+    Noise& noise = m_noise.of_all;
+    noise.normal = std::numeric_limits<double>::infinity();
+    if (averaging::follow_from_faces(m_surface.surface(), given, of_faces)) return;
+    const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), given);
+    noise.normal = options.normal_noise.value_or(estimated.value);
+    noise.normal_error = options.normal_noise ? 0 : estimated.error;
+    if (!std::isfinite(noise.normal))
+      throw Invalid_input(
+          "automatic() cannot tell the noise of the normals of this mesh of " + std::to_string(tables.points.size()) +
+          " vertices: too few are known within two rings. Options::position_noise and normal_noise give both");
+    // Points whose noise cannot be told from what fits leave without any: with slopes these are smaller
+    constexpr double height_over_slope = 0.25;
+    if (noise.position <= noise.position_error)
+      for (double& square : m_squares_of_noise)
+        square = (std::min)(square, averaging::variance_in_units(height_over_slope * noise.normal, 1));
+    m_surface.take_normals(std::move(given), noise.normal);
+  }
+
   Automatic_degrees m_degrees;
   Unit_surface m_surface;
   averaging::Surface_noise m_noise;
@@ -164,17 +207,17 @@ public:
   /// \throw Invalid_input if the mesh is too small, or options are set that have no use here
   /// \param for_places more is learned, which forms at places that are no vertices need
   template <class ConcurrencyTag, class Tables>
-  Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Automatic_degrees& degrees,
-                           const Options& options, bool for_places)
+  Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Normals_as_data& normals,
+                           const Automatic_degrees& degrees, const Options& options, bool for_places)
     : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order),
       m_order_at_places(degrees.order_at_places())
   {
     check_options_for_automatic(options, false);
     check_degree_for_automatic(degrees.highest);
-    if (options.use_normals) throw Invalid_input("automatic() on a mesh takes no normals as data yet");
     const std::size_t learned = for_places ? (std::max)(m_order_at_places, degrees.order) : degrees.order;
-    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables,
-                                                                Automatic_degrees{learned, degrees.highest}, options);
+    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, normals,
+                                                                Automatic_degrees{learned, degrees.highest},
+                                                                with_least_noise(options));
     m_walker = std::make_shared<Walker>(m_learned->walker());
   }
 
@@ -208,6 +251,16 @@ public:
 
 private:
   using Walker = typename Learned_surface<Kernel>::Walker;
+
+  // Where all data are exact, what fits leave takes the place of noise: it tells which candidates are sound.
+  static Options with_least_noise(Options options)
+  {
+    if (options.use_normals && options.position_noise == 0. && options.normal_noise == 0.) {
+      options.position_noise.reset();
+      options.normal_noise.reset();
+    }
+    return options;
+  }
 
   void estimate(Index node, std::size_t dprime, Result& result)
   {

@@ -53,8 +53,8 @@ public:
     : m_neighborhood(neighborhood), m_given(np, is_automatic),
       m_tables(mesh_tables<ConcurrencyTag>(mesh, np, {!is_users, !is_users})),
       m_options(options_by_number(mesh, np, options)),
-      m_normals(!is_automatic && options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
-      m_estimator(make_estimator(ConcurrencyTag(), for_places))
+      m_normals(options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
+      m_estimator(make_estimator(ConcurrencyTag(), mesh, for_places))
   {}
 
   Mesh_estimation(const Mesh_estimation&) = delete;
@@ -95,11 +95,15 @@ private:
   }
 
   template <class ConcurrencyTag>
-  Estimator make_estimator(ConcurrencyTag tag, bool for_places) const
+  Estimator make_estimator(ConcurrencyTag tag, const Mesh& mesh, bool for_places) const
   {
     if constexpr (is_automatic) {
       const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
-      return Automatic_mesh_estimator<Kernel>(tag, m_tables, degrees, m_options, for_places);
+      Normals_as_data normals{m_normals, {}};
+      if (m_options.use_normals)
+        normals.of_faces =
+            unit_vectors(vertex_normals<ConcurrencyTag>(mesh, *m_tables.numbering, m_tables.points), m_tables.size());
+      return Automatic_mesh_estimator<Kernel>(tag, m_tables, normals, degrees, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);
   }
 

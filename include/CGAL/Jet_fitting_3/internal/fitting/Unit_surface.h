@@ -13,10 +13,12 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,6 +28,30 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Of the nodes of a mesh. Those at sharp edges are unknown: a vertex has one normal, and its nodes have several.
+template <class Tables>
+std::vector<Vector_3<double>> normals_of_nodes(const Tables& tables, const Unit_normals& normals)
+{
+  std::vector<Vector_3<double>> result;
+  for (Index i = 0; i < tables.size(); ++i) result.push_back(normals[i]);
+  result.resize(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 0});
+  for (Index node = Index(tables.size()); node < result.size(); ++node)
+    result[tables.adjacency.vertex(node)] = {0, 0, 0};
+  return result;
+}
+
+/// Of the first nodes; z where they are unknown.
+inline std::vector<Vector_3<double>> unit_vectors(const Normal_table& normals, std::size_t size)
+{
+  std::vector<Vector_3<double>> result(size, Vector_3<double>{0, 0, 1});
+  for (Index node = 0; node < size; ++node) {
+    const Vector_3<float> packed = normals[node];
+    const Vector_3<double> n{packed.x, packed.y, packed.z};
+    if (dot(n, n) > 0) result[node] = 1 / std::sqrt(dot(n, n)) * n;
+  }
+  return result;
+}
 
 /// A mesh as automatic() and estimate_noise() take it: points in the unit of the tables, which must outlive it, normals
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
@@ -45,14 +71,17 @@ public:
   using Surface = averaging::Surface_points<Neighbors>;
   using Walker = averaging::Walker<Neighbors>;
 
+  /// \param has_normals whether normals are data: then disks are round, however long edges are
   template <class Tables>
-  explicit Unit_surface(const Tables& tables)
+  Unit_surface(const Tables& tables, bool has_normals)
     : m_points(points(tables)),
-      m_normals(averaging::smoothed(normals(tables), Neighbors{&tables.adjacency},
+      m_normals(averaging::smoothed(unit_vectors(tables.normals, tables.adjacency.number_of_nodes()),
+                                    Neighbors{&tables.adjacency},
                                     std::vector<int>(tables.adjacency.number_of_nodes(), first_rounds))),
       m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
     m_units = averaging::lengths_around(m_surface);
+    if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
     m_surface.stretches = &m_stretches;
@@ -62,6 +91,13 @@ public:
   Unit_surface& operator=(const Unit_surface&) = delete;
 
   const Surface& surface() const { return m_surface; }
+
+  /// Takes normals as data, one for each vertex. \param noise of them
+  void take_normals(std::vector<Vector_3<double>> normals, double noise)
+  {
+    m_given = {std::move(normals), {}, 1 / (1 - std::min(0.25, noise * noise)), noise, false};
+    m_surface.given = &m_given;
+  }
 
   /// Takes the normals from fits, which are more exact, and averages them as noise asks for.
   /// \param squares_of_noise of each point, in squares of its unit
@@ -76,11 +112,28 @@ public:
       rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(squares_of_noise[i])));
     }
     m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds, least_cosine);
+    if (m_surface.given) {
+      averaging::take_better_normals(m_given, m_normals);
+      weigh_normals(squares_of_noise);
+    }
     m_surface.planes = &m_planes;
     return m_surface;
   }
 
 private:
+  // By their own noise, and that of positions, which are moved along a surface that bends.
+  void weigh_normals(const std::vector<double>& squares_of_noise)
+  {
+    constexpr double exact = 4e-15, least_part = 1. / 16; // squares
+    const double square = std::max(m_given.noise * m_given.noise, exact * exact);
+    std::vector<double> by_positions;
+    for (std::size_t i = 0; i < m_planes.size(); ++i) by_positions.push_back(squares_of_noise[i] * m_planes[i].bend);
+    const double own = std::max(square - scale::median(by_positions), least_part * square);
+    for (std::size_t i = 0; i < m_planes.size(); ++i)
+      m_given.weights.push_back(std::clamp(squares_of_noise[i] / (own + by_positions[i]), 1e-12, 1e12));
+    m_given.suffice_in_one_ring = scale::median(m_given.weights) >= 1. / (4 * 4);
+  }
+
   /// In units; a point that is not finite has no edges, and may be anywhere.
   template <class Tables>
   static std::vector<Vector_3<double>> points(const Tables& tables)
@@ -94,22 +147,11 @@ private:
     return result;
   }
 
-  template <class Tables>
-  static std::vector<Vector_3<double>> normals(const Tables& tables)
-  {
-    std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 1});
-    for (Index node = 0; node < result.size(); ++node) {
-      const Vector_3<float> packed = tables.normals[node];
-      const Vector_3<double> n{packed.x, packed.y, packed.z};
-      if (dot(n, n) > 0) result[node] = 1 / std::sqrt(dot(n, n)) * n;
-    }
-    return result;
-  }
-
   std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
   std::vector<averaging::Stretch> m_stretches;
+  averaging::Given_normals m_given;
   Surface m_surface;
 };
 

@@ -1,0 +1,279 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// automatic() on meshes with Options::use_normals: errors beside those from positions alone, and beside one ring of
+// degree 4 with normals.
+#include "check.h"
+#include "double_mesh.h"
+#include "held_intervals.h"
+
+#include <CGAL/estimate_vertex_monge_forms.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test;
+namespace jets = CGAL::Jet_fitting;
+namespace parameters = CGAL::parameters;
+using Vector = Kernel::Vector_3;
+
+// A mesh whose vertices and their normals have noise.
+struct Noisy_mesh
+{
+  Mesh mesh;
+  std::vector<Curvatures> truth;
+  Mesh::Property_map<Vertex, Form> forms;
+  Mesh::Property_map<Vertex, Vector> normals;
+
+  Noisy_mesh(const Analytic_mesh& exact, double position_noise, double normal_noise, unsigned seed = 7)
+  {
+    build(exact, mesh);
+    forms = mesh.add_property_map<Vertex, Form>("v:form").first;
+    normals = mesh.add_property_map<Vertex, Vector>("v:given").first;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    const auto vector = [&](double size) {
+      const double x = normal(random), y = normal(random), z = normal(random);
+      return Vector(size * x, size * y, size * z);
+    };
+    for (const Vertex v : mesh.vertices()) {
+      Kernel::Point_3& p = mesh.point(v);
+      truth.push_back(exact.truth(Point(p.x(), p.y(), p.z())));
+      const Point n = truth.back().normal;
+      normals[v] = Vector(n.x, n.y, n.z) + vector(normal_noise);
+      p = p + vector(position_noise);
+    }
+  }
+
+  template <class Neighborhood>
+  auto estimate(const Neighborhood& neighborhood, bool use_normals, std::size_t d = 6, std::size_t dprime = 2,
+                jets::Options options = {})
+  {
+    options.use_normals = use_normals;
+    const auto np = parameters::degree_fitting(d).degree_monge(dprime).vertex_normal_map(normals);
+    return CGAL::estimate_vertex_monge_forms(mesh, neighborhood, forms, np, options);
+  }
+
+  // Of k1 and k2; a vertex without a form counts as if it had found a plane.
+  double rms_error() const
+  {
+    double sum = 0;
+    for (const Vertex v : mesh.vertices()) {
+      const bool exists = !forms[v].coefficients().empty();
+      const double k1 = exists ? forms[v].principal_curvatures(0) : 0,
+                   k2 = exists ? forms[v].principal_curvatures(1) : 0;
+      sum += std::pow(k1 - truth[v].k1, 2) + std::pow(k2 - truth[v].k2, 2);
+    }
+    return std::sqrt(sum / double(2 * truth.size()));
+  }
+};
+
+std::array<double, 6> waves(double x, double y)
+{
+  const double s = std::sin(5 * x + 3 * y), c = std::cos(5 * x + 3 * y);
+  return {.06 * s, .3 * c, .18 * c, -1.5 * s, -.9 * s, -.54 * s};
+}
+
+std::vector<Analytic_mesh> surfaces()
+{
+  std::vector<Analytic_mesh> all{torus(2, 1, 60, 30), ellipsoid(1, 1.3, 1.7, 16), graph("waves", 40, waves)};
+  all[0].name = "torus";
+  all[1].name = "ellipsoid";
+  return all;
+}
+
+double mean_edge(const Analytic_mesh& mesh)
+{
+  double sum = 0;
+  for (const auto& face : mesh.faces) {
+    const Point d = mesh.points[face[1]] - mesh.points[face[0]];
+    sum += std::sqrt(dot(d, d)) / double(mesh.faces.size());
+  }
+  return sum;
+}
+
+// Where normals are exact one ring suffices for degree 4; positions may still be better.
+void exact_normals()
+{
+  double product = 1;
+  for (const Analytic_mesh& exact : surfaces()) {
+    Noisy_mesh mesh(exact, 0, 0);
+    jets::Options exactly;
+    exactly.position_noise = exactly.normal_noise = 0;
+    mesh.estimate(jets::k_rings(1), true, 4, 2, exactly);
+    const double one_ring = mesh.rms_error();
+    mesh.estimate(jets::automatic(), false);
+    const double best = std::min(one_ring, mesh.rms_error());
+    mesh.estimate(jets::automatic(), true);
+    const double found = mesh.rms_error();
+    std::cout << exact.name << ": " << found << " one ring " << one_ring << " best " << best << '\n';
+    check_le(found, 3 * best, exact.name + ": exact normals");
+    product *= found / best;
+    mesh.estimate(jets::automatic(), true, 6, 2, exactly);
+    check_equal(mesh.rms_error(), found, exact.name + ": told that they are exact");
+  }
+  check_le(std::cbrt(product), 0.7, "exact normals beside the better of one ring and positions");
+}
+
+// Never much worse than without, and better in the mean.
+void noisy_normals()
+{
+  const double degree = std::acos(-1.) / 180;
+  for (const double normal_noise : {0., degree, 10 * degree})
+    for (const double noise : {0.01, 0.05, 0.2}) {
+      double product = 1;
+      for (const Analytic_mesh& exact : surfaces()) {
+        Noisy_mesh mesh(exact, noise * mean_edge(exact), normal_noise);
+        mesh.estimate(jets::automatic(), false);
+        const double without = mesh.rms_error();
+        const auto summary = mesh.estimate(jets::automatic(), true);
+        const std::string name = exact.name + ", noise " + text(noise) + " edges, of normals " + text(normal_noise);
+        std::cout << name << ": " << mesh.rms_error() / without << ", noise " << summary.noise.normal << '\n';
+        check_le(mesh.rms_error(), 1.2 * without, name + ": beside positions alone");
+        if (normal_noise > 0 && noise == 0.01)
+          check_near(summary.noise.normal / normal_noise, 1, 0.15, name + ": estimated");
+        product *= mesh.rms_error() / without;
+      }
+      check_le(std::cbrt(product),
+               normal_noise > degree ? 1.02
+               : noise > 0.01        ? 0.75
+                                     : 1,
+               "mean at noise " + text(noise) + ", of normals " + text(normal_noise));
+    }
+}
+
+// They say nothing that the positions do not say, and are left aside.
+void normals_of_the_faces()
+{
+  for (const double noise : {0., 0.0005, 0.005, 0.02}) {
+    Noisy_mesh mesh(torus(2, 1, 60, 30), noise, 0);
+    for (const Vertex v : mesh.mesh.vertices()) mesh.normals[v] = CGAL::NULL_VECTOR;
+    const auto& p = mesh.mesh.points();
+    for (const auto face : mesh.mesh.faces()) {
+      std::vector<Vertex> corners;
+      for (const Vertex v : vertices_around_face(mesh.mesh.halfedge(face), mesh.mesh)) corners.push_back(v);
+      const Vector area = CGAL::cross_product(p[corners[1]] - p[corners[0]], p[corners[2]] - p[corners[0]]);
+      for (const Vertex v : corners) mesh.normals[v] = mesh.normals[v] + area;
+    }
+    mesh.estimate(jets::automatic(), false);
+    const double without = mesh.rms_error();
+    const auto summary = mesh.estimate(jets::automatic(), true);
+    check_true(std::isinf(summary.noise.normal), "normals of the faces are left aside, noise " + text(noise));
+    check_equal(mesh.rms_error(), without, "normals of the faces, noise " + text(noise));
+  }
+}
+
+// RMS of coefficients of orders 3 and 4 where curvatures differ; of the former the sizes.
+std::array<double, 2> errors_of_higher_orders(const Noisy_mesh& mesh, const Noisy_mesh& truth)
+{
+  std::array<double, 2> sums{};
+  for (const Vertex v : mesh.mesh.vertices()) {
+    const Form &a = mesh.forms[v], &b = truth.forms[v];
+    if (b.principal_curvatures(0) - b.principal_curvatures(1) < 0.15) continue;
+    for (const std::size_t i : {0, 3})
+      sums[0] += std::pow(std::abs(a.third_order_coefficients(i)) - std::abs(b.third_order_coefficients(i)), 2);
+    for (const std::size_t i : {0, 4})
+      sums[1] += std::pow(a.fourth_order_coefficients(i) - b.fourth_order_coefficients(i), 2);
+  }
+  return {std::sqrt(sums[0]), std::sqrt(sums[1])};
+}
+
+void higher_orders()
+{
+  const Analytic_mesh exact = ellipsoid(1, 1.3, 1.7, 16);
+  Noisy_mesh clean(exact, 0, 0), noisy(exact, 0.002, 0.002);
+  clean.estimate(jets::k_rings(4), false, 6, 4);
+  noisy.estimate(jets::automatic(), false, 6, 4);
+  const auto without = errors_of_higher_orders(noisy, clean);
+  noisy.estimate(jets::automatic(), true, 6, 4);
+  const auto with = errors_of_higher_orders(noisy, clean);
+  check_le(with[0], 0.9 * without[0], "third order with normals beside none");
+  check_le(with[1], 0.8 * without[1], "fourth order with normals beside none");
+}
+
+// Vertices without a normal, or with that of the other side, are no samples, and have forms like all others.
+void bad_normals()
+{
+  Noisy_mesh mesh(torus(2, 1, 80, 32), 0.001, 0.001);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Vertex> bad;
+  for (const int v : {100, 500, 900}) {
+    mesh.normals[Vertex(v)] = CGAL::NULL_VECTOR;
+    mesh.normals[Vertex(v + 100)] = Vector(nan, 0, 0);
+    mesh.normals[Vertex(v + 200)] = -mesh.normals[Vertex(v + 200)];
+    bad.insert(bad.end(), {Vertex(v), Vertex(v + 100), Vertex(v + 200)});
+  }
+  const auto summary = mesh.estimate(jets::automatic(), true);
+  check_equal(summary.estimated, mesh.mesh.number_of_vertices(), "all are estimated beside bad normals");
+  check_near(summary.noise.normal, 0.001, 0.0003, "noise of normals beside bad ones");
+  for (const Vertex v : bad) {
+    const double h = mesh.forms[v].principal_curvatures(0) + mesh.forms[v].principal_curvatures(1);
+    check_near(std::abs(h), std::abs(mesh.truth[v].k1 + mesh.truth[v].k2), 0.02, "at a vertex with a bad normal");
+  }
+  for (const Vertex v : mesh.mesh.vertices()) mesh.normals[v] = CGAL::NULL_VECTOR;
+  check_throws<jets::Invalid_input>([&] { mesh.estimate(jets::automatic(), true); },
+                                    {"normals", "too few", "normal_noise"}, "no normal is known");
+}
+
+// Normals turn forms to their side, and are data of whichever length.
+void turned_and_longer()
+{
+  Noisy_mesh mesh(ellipsoid(1, 1.3, 1.7, 12), 0.002, 0.01);
+  mesh.estimate(jets::automatic(), true);
+  std::vector<double> curvatures;
+  for (const Vertex v : mesh.mesh.vertices()) curvatures.push_back(mesh.forms[v].principal_curvatures(0));
+  for (const Vertex v : mesh.mesh.vertices()) mesh.normals[v] = -8 * mesh.normals[v];
+  mesh.estimate(jets::automatic(), true);
+  double most = 0;
+  for (const Vertex v : mesh.mesh.vertices())
+    most = std::max(most, std::abs(mesh.forms[v].principal_curvatures(1) + curvatures[v]));
+  check_le(most, 1e-6, "normals on the other side");
+}
+
+void intervals()
+{
+  for (const Analytic_mesh& exact : surfaces())
+    for (const auto& [noise, normal_noise] : {std::pair(0.01, 0.02), std::pair(0.1, 0.02)}) {
+      Intervals found;
+      for (unsigned seed = 1; seed <= 3; ++seed) {
+        Noisy_mesh mesh(exact, noise * mean_edge(exact), normal_noise, seed);
+        const auto summary = mesh.estimate(jets::automatic(), true);
+        for (std::size_t i = seed; i < mesh.truth.size(); i += 13) {
+          const Vertex v = Vertex(Mesh::size_type(i));
+          found.add(mesh.forms[v], mesh.truth[i], summary.quality(v).scale);
+        }
+      }
+      const std::string name = exact.name + ", noise " + text(noise) + " edges";
+      std::cout << name << ": held " << double(found.held1) / found.count << ' ' << double(found.held2) / found.count
+                << ", growth " << found.growth() << '\n';
+      for (const int count : {found.held1, found.held2})
+        check_ge(double(count) / found.count, 0.88, name + ": part of the intervals that holds the truth");
+    }
+}
+
+} // namespace
+
+int main()
+{
+  exact_normals();
+  noisy_normals();
+  normals_of_the_faces();
+  higher_orders();
+  bad_normals();
+  turned_and_longer();
+  intervals();
+  return result();
+}
