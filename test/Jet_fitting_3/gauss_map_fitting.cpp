@@ -378,8 +378,9 @@ void too_few_for_rank()
   const auto surface = oriented_surfaces<double>().front();
   const double h = 0.3 * length_scale(surface.form);
   std::mt19937 random(5);
-  for (std::size_t d = 1; d <= 6; ++d) {
-    const std::size_t least = jets::least_number_of_oriented_samples(d), full = jets::number_of_jet_coefficients(d);
+  for (int d = 1; d <= 6; ++d) {
+    const std::size_t least = jets::least_number_of_oriented_samples(std::size_t(d)),
+                      full = jets::number_of_jet_coefficients(std::size_t(d));
     Offsets offsets{{0., 0.}};
     while (offsets.size() < least) {
       const double x = h * (2 * uniform(random) - 1), y = h * (2 * uniform(random) - 1);
