@@ -187,21 +187,16 @@ private:
     return scale;
   }
 
+  // For each of the subsample those of its level in the patch around it, in the order of their coordinates.
+  using Patches = std::vector<std::vector<std::uint32_t>>;
+
   template <class For_each>
   void learn_bias(double radius, bool knows_noise, const For_each& for_each)
   {
     const Indices sample = spread_places(m_cloud, std::max<std::size_t>(1, std::min(stride, m_cloud.size / places)));
     m_learned.assign(m_cloud.size, none);
     for (std::size_t k = 0; k < sample.size(); ++k) m_learned[sample[k]] = std::uint32_t(k);
-    const std::vector<int> levels = levels_of(sample, radius, for_each);
-    const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
-    for (int level = *least; level <= *most; ++level)
-      m_ladders.push_back(
-          ladder_of_cloud(radius * scale_of_level(level),
-                          knows_noise || *least == *most ? m_noise : noise_of_level(sample, levels, level, radius),
-                          m_cloud.has_normals(), m_highest_choice));
-    for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
-
+    make_ladders(sample, levels_of(sample, radius, for_each), radius, knows_noise);
     const Patches patches = patches_of(sample, for_each);
     std::vector<Local_ladder> ladders(sample.size());
     std::vector<Indices> close(sample.size());
@@ -221,10 +216,28 @@ private:
       if (k % sparse > 0) fit(k);
     });
     find_nearest(sample, close);
-    m_tables.resize(sample.size());
-    m_chosen.resize(sample.size());
-    m_wanted.resize(sample.size());
-    for_each(sample.size(), [&](std::size_t k) {
+    learn_choices(patches, ladders, ends, for_each);
+  }
+
+  void make_ladders(const Indices& sample, const std::vector<int>& levels, double radius, bool knows_noise)
+  {
+    const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
+    for (int level = *least; level <= *most; ++level)
+      m_ladders.push_back(
+          ladder_of_cloud(radius * scale_of_level(level),
+                          knows_noise || *least == *most ? m_noise : noise_of_level(sample, levels, level, radius),
+                          m_cloud.has_normals(), m_highest_choice));
+    for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
+  }
+
+  template <class For_each>
+  void learn_choices(const Patches& patches, const std::vector<Local_ladder>& ladders,
+                     const std::vector<std::size_t>& ends, const For_each& for_each)
+  {
+    m_tables.resize(ends.size());
+    m_chosen.resize(ends.size());
+    m_wanted.resize(ends.size());
+    for_each(ends.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       m_tables[k] = table_of(patches[k], ladders, ladder, ends[k]);
       const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
@@ -234,9 +247,6 @@ private:
       m_wanted[k].balls.end = std::max(m_wanted[k].balls.end, std::min(fewest_rungs(ladder), ends[k]));
     });
   }
-
-  // For each of the subsample those of its level in the patch around it, in the order of their coordinates.
-  using Patches = std::vector<std::vector<std::uint32_t>>;
 
   template <class For_each>
   Patches patches_of(const Indices& sample, const For_each& for_each) const
