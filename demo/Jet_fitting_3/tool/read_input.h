@@ -135,8 +135,10 @@ inline bool read_soup(const std::string& file, std::vector<Point>& points, std::
 {
   const std::string format = extension(file);
   if (format == "off") return read_off(file, points, faces, normals);
-  if (format == "ply") normals = normals_of_ply(file);
-  if (format == "ply") return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
+  if (format == "ply") {
+    normals = normals_of_ply(file);
+    return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
+  }
   if (format == "stl") return !is_cut_short_stl(file) && CGAL::IO::read_STL(*stl_stream(file), points, faces);
   return CGAL::IO::read_polygon_soup(file, points, faces);
 }

@@ -80,7 +80,19 @@ struct Symmetric_3
     return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z,
             a.xz * v.x + a.yz * v.y + a.zz * v.z};
   }
+
+  friend Symmetric_3 operator+(const Symmetric_3& a, const Symmetric_3& b)
+  {
+    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+  }
 };
+
+/// v v'.
+template <class FT>
+Symmetric_3<FT> self_product(const Vector_3<FT>& v)
+{
+  return {v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+}
 
 /// The smallest eigenvalue of a positive semidefinite matrix, approximately: two steps of Halley's method from 0. Each
 /// cubes the error, in units of the next eigenvalue.

@@ -8,10 +8,10 @@
 #define CGAL_JET_FITTING_3_SCALE_EDGE_STRETCH_H
 
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -21,30 +21,21 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// A sum of products e e': xx, xy, xz, yy, yz, zz.
-using Products = std::array<double, 6>;
+using Products = numeric::Symmetric_3<double>;
 
-inline double product_along(const Products& m, const Vector_3<double>& a, const Vector_3<double>& b)
-{
-  return m[0] * a.x * b.x + m[1] * (a.x * b.y + a.y * b.x) + m[2] * (a.x * b.z + a.z * b.x) + m[3] * a.y * b.y +
-         m[4] * (a.y * b.z + a.z * b.y) + m[5] * a.z * b.z;
-}
-
-/// Of the edges at each point, over the sum of their squares.
+/// The products e e' of the edges at each point, over the sum of their squares.
 template <class Neighbors>
 std::vector<Products> products_of_edges(const Surface_points<Neighbors>& surface)
 {
-  std::vector<Products> result(surface.points.size(), Products{});
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    double sum = 0;
-    for (const std::size_t v : surface.neighbors(i)) {
-      const Vector_3<double> e = surface.points[v] - surface.points[i];
-      const Products p{e.x * e.x, e.x * e.y, e.x * e.z, e.y * e.y, e.y * e.z, e.z * e.z};
-      for (std::size_t k = 0; k < p.size(); ++k) result[i][k] += p[k];
-      sum += dot(e, e);
-    }
-    if (sum > 0)
-      for (double& p : result[i]) p /= sum;
+  std::vector<Products> result;
+  result.reserve(surface.points.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    Products products{0, 0, 0, 0, 0, 0};
+    for (const std::size_t v : surface.neighbors(i))
+      products = products + numeric::self_product(surface.points[v] - surface.points[i]);
+    const double sum = products.xx + products.yy + products.zz, factor = sum > 0 ? 1 / sum : 0;
+    result.push_back({factor * products.xx, factor * products.xy, factor * products.xz, factor * products.yy,
+                      factor * products.yz, factor * products.zz});
   }
   return result;
 }
@@ -55,13 +46,13 @@ inline Stretch stretch_in_plane(const Products& products, const Vector_3<double>
 {
   constexpr double least = 3, most = 1e4;
   const Basis_3<double> axes = axes_around(normal);
-  const double xx = product_along(products, axes.x, axes.x), xy = product_along(products, axes.x, axes.y),
-               yy = product_along(products, axes.y, axes.y);
-  const double middle = (xx + yy) / 2, difference = std::hypot((xx - yy) / 2, xy);
-  const double ratio = std::sqrt((middle + difference) / std::max(middle - difference, middle / (most * most)));
+  const numeric::Eigen_2<double> eigen =
+      numeric::symmetric_eigen_2(dot(axes.x, products * axes.x), dot(axes.x, products * axes.y),
+                                 dot(axes.y, products * axes.y));
+  const double middle = (eigen.larger_value + eigen.smaller_value) / 2;
+  const double ratio = std::sqrt(eigen.larger_value / std::max(eigen.smaller_value, middle / (most * most)));
   if (!(ratio > least)) return {};
-  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-  return {std::cos(angle) * axes.x + std::sin(angle) * axes.y, ratio};
+  return {eigen.x * axes.x + eigen.y * axes.y, ratio};
 }
 
 /// By which angle the surface turns along an edge of the longer kind, from those at these points.
@@ -93,9 +84,8 @@ std::vector<Stretch> stretches_around(const Surface_points<Neighbors>& surface)
   std::vector<std::size_t> found, ends;
   for (std::size_t i = 0; i < own.size(); ++i) {
     walker.rings(i, 2, found, ends);
-    Products sum{};
-    for (const std::size_t v : found)
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += own[v][k];
+    Products sum{0, 0, 0, 0, 0, 0};
+    for (const std::size_t v : found) sum = sum + own[v];
     Stretch stretch = stretch_in_plane(sum, surface.normals[i]);
     if (stretch.ratio > 1 && turn_along(surface, found, stretch.direction) > farthest) stretch = {};
     result.push_back(stretch);

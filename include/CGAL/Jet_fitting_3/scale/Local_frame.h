@@ -183,7 +183,7 @@ inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, 
     if (dot(d, d) > 1) continue;
     n += 1;
     sum = sum + d;
-    s = {s.xx + d.x * d.x, s.xy + d.x * d.y, s.xz + d.x * d.z, s.yy + d.y * d.y, s.yz + d.y * d.z, s.zz + d.z * d.z};
+    s = s + numeric::self_product(d);
   }
   const Vector_3<double> m = (1 / n) * sum;
   s = {s.xx - m.x * sum.x, s.xy - m.x * sum.y, s.xz - m.x * sum.z,

@@ -178,14 +178,12 @@ template <class Neighbors>
 Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker,
                                         std::size_t i, double square_of_noise)
 {
-  constexpr std::size_t enough = 14, most_rings = 6; // fewer do not tell how certain the fit is
+  constexpr std::size_t enough = 14; // fewer do not tell how certain the fit is
   Second_order_estimate result;
   result.frame = tangent_frame(surface, walker, i);
   const double unit = surface.units[i];
   std::vector<std::size_t> found, ends;
-  walker.rings(i, most_rings + 1, found, ends);
-  std::size_t rings = 2;
-  while (rings < most_rings && ends[rings] < enough) ++rings;
+  const std::size_t rings = walker.first_rings(i, 2, enough, found, ends);
   const double left = residual_variance(surface, result.frame, found, ends[rings], 2, unit);
   const Candidate fit = quadric_of(surface, result.frame, found, ends[rings], unit),
                   larger = quadric_of(surface, result.frame, found, ends[rings + 1], unit);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/scale/Candidate.h>
+#include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 
 #include <algorithm>
@@ -59,10 +60,8 @@ inline void take_better_normals(const Given_normals& given, std::vector<Vector_3
     if (is_known(i)) squares.push_back(dot(across, across));
   }
   if (squares.empty()) return;
-  const auto median = squares.begin() + std::ptrdiff_t(squares.size() / 2);
-  std::nth_element(squares.begin(), median, squares.end());
   const double of_two_squares = 2 * std::log(2.); // the median of the sum of two squares of normal variables
-  if (*median <= of_two_squares * 2 * given.noise * given.noise) return;
+  if (scale::median(squares) <= of_two_squares * 2 * given.noise * given.noise) return;
   for (std::size_t i = 0; i < normals.size(); ++i)
     if (is_known(i)) normals[i] = given.normals[i];
 }
@@ -158,6 +157,18 @@ public:
           if (see(v)) found.push_back(v);
       ends.push_back(found.size());
     }
+  }
+
+  /// The first rings, of `fewest` to six, that have so many vertices, and one ring more.
+  /// \return the number of the rings without that one
+  std::size_t first_rings(std::size_t seed, std::size_t fewest, std::size_t least, std::vector<std::size_t>& found,
+                          std::vector<std::size_t>& ends)
+  {
+    constexpr std::size_t most = 6;
+    rings(seed, most + 1, found, ends);
+    std::size_t number = fewest;
+    while (number < most && ends[number] < least) ++number;
+    return number;
   }
 
   /// Some of the vertices around one, from inside out.

@@ -21,15 +21,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The vertices within the first rings that are so many, or within six.
-template <class Neighbors>
-std::vector<std::size_t> first_rings(Walker<Neighbors>& walker, std::size_t i, std::size_t least)
-{
-  std::vector<std::size_t> found, ends;
-  for (std::size_t rings = 1; rings <= 6 && found.size() < least; ++rings) walker.rings(i, rings, found, ends);
-  return found;
-}
-
 /// The largest distance of one of the points from the first of them.
 inline double farthest(const std::vector<Vector_3<double>>& points, const std::vector<std::size_t>& some)
 {
@@ -59,7 +50,10 @@ bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbor
   const Local_frame round{frame.origin, round_axes(surface, i, frame.axes)};
   walker.disk(i, round, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns}, disk);
   std::vector<std::size_t>& found = disk.vertices;
-  if (found.size() < least) found = first_rings(walker, i, least);
+  if (found.size() < least) {
+    const std::size_t rings = walker.first_rings(i, 1, least, found, disk.ends);
+    found.resize(disk.ends[rings]);
+  }
   if (found.size() < least) return false;
   const double unit = numeric::power_of_two_above(farthest(surface.points, found));
   Samples<double> samples;

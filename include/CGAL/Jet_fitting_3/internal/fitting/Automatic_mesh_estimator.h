@@ -167,12 +167,10 @@ private:
   template <class Tables>
   void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options)
   {
-    std::vector<Vector_3<double>> given = normals_of_nodes(tables, normals.given), of_faces;
-    for (Index node = 0; node < given.size(); ++node)
-      of_faces.push_back(normals.of_faces[tables.adjacency.vertex(node)]);
+    std::vector<Vector_3<double>> given = normals_of_nodes(tables, normals.given);
     Noise& noise = m_noise.of_all;
     noise.normal = std::numeric_limits<double>::infinity();
-    if (averaging::follow_from_faces(m_surface.surface(), given, of_faces)) return;
+    if (averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces))) return;
     const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), given);
     noise.normal = options.normal_noise.value_or(estimated.value);
     noise.normal_error = options.normal_noise ? 0 : estimated.error;
@@ -209,12 +207,11 @@ public:
   template <class ConcurrencyTag, class Tables>
   Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Normals_as_data& normals,
                            const Automatic_degrees& degrees, const Options& options, bool for_places)
-    : m_points(tables.points), m_adjacency(tables.adjacency), m_dprime(degrees.order),
-      m_order_at_places(degrees.order_at_places())
+    : m_points(tables.points), m_adjacency(tables.adjacency), m_degrees(degrees)
   {
     check_options_for_automatic(options, false);
     check_degree_for_automatic(degrees.highest);
-    const std::size_t learned = for_places ? (std::max)(m_order_at_places, degrees.order) : degrees.order;
+    const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
     m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, normals,
                                                                 Automatic_degrees{learned, degrees.highest},
                                                                 with_least_noise(options));
@@ -222,8 +219,7 @@ public:
   }
 
   Automatic_mesh_estimator(const Automatic_mesh_estimator& other)
-    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_dprime(other.m_dprime),
-      m_order_at_places(other.m_order_at_places), m_learned(other.m_learned),
+    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_degrees(other.m_degrees), m_learned(other.m_learned),
       m_walker(std::make_shared<Walker>(m_learned->walker()))
   {}
 
@@ -240,11 +236,11 @@ public:
     results.resize(block.size());
     for (std::size_t row = 0; row < block.size(); ++row) {
       if constexpr (std::is_same<Place_of, At_samples>::value) {
-        estimate(block[row][0], m_dprime, results[row]);
+        estimate(block[row][0], m_degrees.order, results[row]);
       } else {
-        estimate(block[row][0], (std::max)(m_order_at_places, m_dprime), results[row]);
+        estimate(block[row][0], m_degrees.order_at_places(), results[row]);
         move_to_foot(results[row], place_of(row), m_learned->largest_radius(block[row][0]) / m_points.per_length(),
-                     m_dprime);
+                     m_degrees.order);
       }
     }
   }
@@ -293,7 +289,7 @@ private:
 
   const Point_table<Kernel>& m_points;
   const Adjacency& m_adjacency;
-  std::size_t m_dprime, m_order_at_places;
+  Automatic_degrees m_degrees;
   std::shared_ptr<const Learned_surface<Kernel>> m_learned;
   std::shared_ptr<Walker> m_walker;
   Orthogonal_solver<double> m_solver;

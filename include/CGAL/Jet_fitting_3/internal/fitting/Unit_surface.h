@@ -30,8 +30,8 @@ namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Of the nodes of a mesh. Those at sharp edges are unknown: a vertex has one normal, and its nodes have several.
-template <class Tables>
-std::vector<Vector_3<double>> normals_of_nodes(const Tables& tables, const Unit_normals& normals)
+template <class Tables, class Normals>
+std::vector<Vector_3<double>> normals_of_nodes(const Tables& tables, const Normals& normals)
 {
   std::vector<Vector_3<double>> result;
   for (Index i = 0; i < tables.size(); ++i) result.push_back(normals[i]);

@@ -16,6 +16,7 @@
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
+#include <CGAL/Jet_fitting_3/surface/jet_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,18 +30,17 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Of a jet of degree 2 in a basis, above or below a place.
-inline Vector_3<double> unit_normal_of_quadric(const Jet<double>& jet, const Basis_3<double>& axes,
-                                               const Vector_3<double>& place)
+/// Of a jet in a basis, above or below a place.
+inline Vector_3<double> unit_normal_at(const Jet<double>& jet, const Basis_3<double>& axes,
+                                       const Vector_3<double>& place)
 {
-  const double x = dot(place, axes.x), y = dot(place, axes.y);
-  const double slope_x = jet(1, 0) + jet(2, 0) * x + jet(1, 1) * y, slope_y = jet(0, 1) + jet(1, 1) * x + jet(0, 2) * y;
-  return scale::unit_vector(axes.z - slope_x * axes.x - slope_y * axes.y);
+  const Jet<double> there = jet_at(jet, Place<double>{dot(place, axes.x), dot(place, axes.y)}, 1);
+  return scale::unit_vector(axes.z - there(1, 0) * axes.x - there(0, 1) * axes.y);
 }
 
 /// Whether a fit of degree 2 with the loss of Tukey leaves no weight to the height of the first sample, or its normal
-/// is as far from that of the fit there: 4.685 robust standard deviations, and a millionth of
-/// the radius or of a radian, which rounding errors do not reach.
+/// is as far from that of the fit there: 4.685 robust standard deviations, and a millionth of the radius or of a
+/// radian, which rounding errors do not reach.
 /// \param normals of the samples, or none
 /// \param radius which the samples are within
 template <class Solver>
@@ -57,7 +57,7 @@ bool is_first_outlier(Samples<double>& samples, const std::vector<Vector_3<doubl
   if (e.fit.robust_weights[0] == 0 && std::abs(e.fit.jet(0, 0)) > rounding * radius) return true;
   std::vector<double> residuals;
   for (std::size_t k = 0; k < normals.size(); ++k) {
-    const Vector_3<double> n = unit_normal_of_quadric(e.fit.jet, e.fitting.axes, offsets[k]);
+    const Vector_3<double> n = unit_normal_at(e.fit.jet, e.fitting.axes, offsets[k]);
     residuals.push_back(std::sqrt(2 - 2 * std::min(1., std::abs(dot(n, normals[k])))));
   }
   if (residuals.empty()) return false;
