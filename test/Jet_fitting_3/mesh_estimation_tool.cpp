@@ -21,6 +21,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -365,44 +366,99 @@ void check_default_output()
   test::check_true(fs::exists("first.ply") && fs::exists("second.csv"), "outputs before the input");
 }
 
-// The torus with normals, turned by a sign, as an OFF or PLY file.
-std::string torus_with_normals(bool as_ply, double sign)
+struct Torus_with_normals
+{
+  std::vector<std::string> points, normals; // three numbers each
+  std::vector<std::array<int, 3>> faces;
+};
+
+// Normals are turned by a sign.
+Torus_with_normals torus_with_normals(double sign)
 {
   const double pi = std::acos(-1.);
   std::istringstream in(torus());
-  std::ostringstream out;
-  out.precision(17);
+  Torus_with_normals result;
   std::string line;
   std::getline(in, line);
   std::getline(in, line);
-  if (!as_ply) out << "NOFF\n" << line << '\n';
-  else
-    out << "ply\nformat ascii 1.0\nelement vertex " << around * across
-        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\nproperty double ny\n"
-           "property double nz\nelement face "
-        << 2 * around * across << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across && std::getline(in, line); ++j) {
       const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = sign * std::cos(v);
-      out << line << ' ' << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << sign * std::sin(v) << '\n';
+      std::ostringstream normal;
+      normal.precision(17);
+      normal << r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << sign * std::sin(v);
+      result.points.push_back(line);
+      result.normals.push_back(normal.str());
     }
-  out << in.rdbuf();
+  std::array<int, 3> face;
+  for (int three = 0; in >> three >> face[0] >> face[1] >> face[2];) result.faces.push_back(face);
+  return result;
+}
+
+std::string as_off_or_ply(const Torus_with_normals& torus, bool is_ply)
+{
+  std::ostringstream out;
+  const std::size_t points = torus.points.size(), faces = torus.faces.size();
+  if (!is_ply) out << "NOFF\n" << points << ' ' << faces << " 0\n";
+  else
+    out << "ply\nformat ascii 1.0\nelement vertex " << points
+        << "\nproperty double x\nproperty double y\nproperty double z\nproperty double nx\nproperty double ny\n"
+           "property double nz\nelement face "
+        << faces << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t i = 0; i < points; ++i) out << torus.points[i] << ' ' << torus.normals[i] << '\n';
+  for (const auto& f : torus.faces) out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
   return out.str();
+}
+
+// Normals come in another order than vertices; some corners count them from the end, some name a texture, too.
+std::string as_obj(const Torus_with_normals& torus)
+{
+  std::ostringstream out;
+  const int n = int(torus.points.size());
+  for (int i = 0; i < n; ++i) out << "v " << torus.points[std::size_t(i)] << '\n';
+  for (int i = n; i > 0; --i) out << "vn " << torus.normals[std::size_t(i) - 1] << '\n';
+  out << "vt 0 0\n";
+  for (const auto& f : torus.faces)
+    out << "f " << f[0] + 1 << "//" << n - f[0] << ' ' << f[1] + 1 << "/1/" << n - f[1] << ' ' << f[2] + 1 << "//"
+        << -f[2] - 1 << '\n';
+  return out.str();
+}
+
+// Each face has vertices of its own. At the first vertex one face has another normal.
+Torus_with_normals torn(const Torus_with_normals& torus)
+{
+  Torus_with_normals result;
+  for (const auto& face : torus.faces) {
+    const int first = int(result.points.size());
+    for (const int v : face) {
+      result.points.push_back(torus.points[std::size_t(v)]);
+      result.normals.push_back(torus.normals[std::size_t(v)]);
+    }
+    result.faces.push_back({first, first + 1, first + 2});
+  }
+  result.normals.front() = "0 0 1";
+  return result;
 }
 
 // Exact normals of a file are data, on whichever side they are.
 void check_normals_of_meshes()
 {
   std::string expected;
-  for (const bool as_ply : {false, true})
+  for (const std::string format : {"off", "ply", "obj"})
     for (const double sign : {1., -1.}) {
-      const std::string name = as_ply ? "normals.ply" : "normals.off";
-      write(name, torus_with_normals(as_ply, sign));
+      const std::string name = "normals." + format;
+      const Torus_with_normals torus = torus_with_normals(sign);
+      write(name, format == "obj" ? as_obj(torus) : as_off_or_ply(torus, format == "ply"));
       const Run made = run(name + " -o normals.csv");
       test::check_true(made.out.find("normals of the file are data") != std::string::npos, name + ": " + made.out);
       if (expected.empty()) expected = contents("normals.csv");
       else test::check_true(contents("normals.csv") == expected, "the same forms from " + name);
     }
+  write("torn.ply", as_off_or_ply(torn(torus_with_normals(1)), true));
+  const Run made = run("torn.ply");
+  test::check_true(made.out.find("were joined to " + std::to_string(around * across)) != std::string::npos &&
+                       made.out.find("normals of the file are data") != std::string::npos,
+                   "normals of vertices that are joined: " + made.out);
   test::check_equal(run("torus.off -q -o normals.csv").exit_code, 0, "without normals");
   test::check_true(contents("normals.csv") != expected, "forms are others with normals");
 }

@@ -8,6 +8,7 @@
 #define CGAL_DEMO_JET_FITTING_3_TOOL_MEND_SOUP_H
 
 #include "Box.h"
+#include "Normals_of_corners.h"
 #include "Surface.h"
 #include "why_not_a_mesh.h"
 
@@ -23,14 +24,19 @@ namespace tool {
 
 // Many exporters give each face vertices of its own, among which no fit would find neighbors: those that coincide
 // become one. It is done where vertices have fewer than two corners of faces each; in meshes they have four or six.
-// \return what was done
-inline std::string weld(std::vector<Point>& points, std::vector<Corners>& faces)
+// Their normals stay where they agree. \param normals of all points, or none \return what was done
+inline std::string weld(std::vector<Point>& points, std::vector<Corners>& faces, std::vector<Vector>& normals)
 {
   std::size_t corners = 0;
   for (const Corners& face : faces) corners += face.size();
   const std::size_t before = points.size();
   if (corners == 0 || corners >= 2 * before || !std::all_of(points.begin(), points.end(), is_finite)) return "";
+  const std::vector<Corners> faces_before = normals.empty() ? std::vector<Corners>() : faces;
   if (CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces) == 0) return "";
+  Normals_of_corners joined(normals.empty() ? 0 : points.size());
+  for (std::size_t f = 0; f < faces_before.size(); ++f)
+    for (std::size_t i = 0; i < faces[f].size(); ++i) joined.add(faces[f][i], normals[faces_before[f][i]]);
+  normals = joined.normals();
   return "most faces had vertices of their own: the " + std::to_string(before) +
          " vertices of the file were joined to " + std::to_string(points.size()) + " where they coincide";
 }

@@ -12,6 +12,7 @@
 #include "finite_number.h"
 #include "mend_soup.h"
 #include "normals_of_mesh.h"
+#include "normals_of_obj.h"
 #include "ply_stream.h"
 #include "stl_stream.h"
 #include "Input_error.h"
@@ -140,7 +141,9 @@ inline bool read_soup(const std::string& file, std::vector<Point>& points, std::
     return CGAL::IO::read_PLY(*ply_stream(file), points, faces);
   }
   if (format == "stl") return !is_cut_short_stl(file) && CGAL::IO::read_STL(*stl_stream(file), points, faces);
-  return CGAL::IO::read_polygon_soup(file, points, faces);
+  if (!CGAL::IO::read_polygon_soup(file, points, faces)) return false;
+  if (format == "obj") normals = normals_of_obj(file, points.size());
+  return true;
 }
 
 // By way of a list of faces, so that nothing damaged gets into a mesh: CGAL's readers of meshes trust the file.
@@ -154,9 +157,8 @@ inline Input read_mesh(const std::string& file)
   Input input;
   const std::string why_no_faces = why_not_faces(points.size(), faces);
   if (!why_no_faces.empty()) throw Input_error(file, why_no_faces);
-  for (const std::string& done : {weld(points, faces), leave_out_degenerate(faces)})
+  for (const std::string& done : {weld(points, faces, normals), leave_out_degenerate(faces)})
     if (!done.empty()) input.remarks.push_back(done);
-  if (points.size() != normals.size()) normals.clear(); // of faces that had vertices of their own
   std::string why_not = why_not_a_mesh(points.size(), faces);
   if (!why_not.empty()) {
     input.remarks.push_back(mend_soup(points, faces, why_not));
