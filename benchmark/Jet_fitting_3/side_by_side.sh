@@ -92,11 +92,15 @@ fi
 # timed <side> <program> [<option>]: its rows are added to the results.
 timed() {
   side=$1
-  program=$2
+  timed_program=$2
   shift 2
   # shellcheck disable=SC2086
-  ${RUN:-} "$program" "--benchmark_filter=$filter" --benchmark_format=csv "$@" "$data" 2>> "$work/log" |
-    sed "s/^/$side,/" >> "$results"
+  ${RUN:-} "$timed_program" "--benchmark_filter=$filter" --benchmark_format=csv "$@" "$data" > "$work/rows" 2>> "$work/log" || {
+    tail -n 5 "$work/log" >&2
+    echo "side_by_side.sh: $timed_program does not run" >&2
+    exit 1
+  }
+  sed "s/^/$side,/" "$work/rows" >> "$results"
 }
 
 run=0
