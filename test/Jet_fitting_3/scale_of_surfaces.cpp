@@ -99,7 +99,9 @@ void covariances_are_sums_over_samples()
 
 void squares_do_not_depend_on_axes()
 {
-  const scale::Candidate c = fit(random_samples(100, 3), 100, 4, 2), t = scale::turned(c, 0.6, 0.8);
+  const scale::Candidate c = fit(random_samples(100, 3), 100, 4, 2);
+  scale::Candidate t = c;
+  scale::turn(t, 0.6, 0.8);
   test::check_near(scale::covariance(t, t, {0, 3}), scale::covariance(c, c, {0, 3}), 1e-10, "variance in turned axes");
   test::check_near(scale::error_products(t, t, {0, 3})[6], scale::error_products(c, c, {0, 3})[6], 1e-10,
                    "errors in turned axes");

@@ -22,6 +22,9 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+using numeric::moment_sums::Lanes;
+using numeric::moment_sums::lanes;
+
 /// Binomial coefficients of all orders: that of (order, j) is in the place of x^(order - j) y^j.
 struct Binomials
 {
@@ -84,12 +87,15 @@ struct Target
   std::size_t first, last;
 };
 
-/// The covariance of two estimates per square of the noise, the first from fewer samples or as many: those of the
-/// second answer as if the first had been asked of its fit.
-inline double covariance(const Estimate_row& fewer, const Estimate_row& more, std::size_t degree_of_more)
+/// The covariance of two estimates of an order per square of the noise, the first from fewer samples or as many: those
+/// of the second answer as if the first had been asked of its fit, which answers nothing to other orders of its degree.
+inline double covariance(const Estimate_row& fewer, const Estimate_row& more, std::size_t order,
+                         std::size_t degree_of_fewer, std::size_t degree_of_more)
 {
   double sum = 0;
-  for (std::size_t t = 0; t < number_of_jet_coefficients(degree_of_more); ++t)
+  for (std::size_t t = term_index(order, 0); t < term_index(order + 1, 0); ++t)
+    sum += fewer.responses[t] * more.of_moments[t];
+  for (std::size_t t = term_index(degree_of_fewer + 1, 0); t < term_index(degree_of_more + 1, 0); ++t)
     sum += fewer.responses[t] * more.of_moments[t];
   return sum;
 }
@@ -99,7 +105,8 @@ inline double covariance(const Candidate& a, const Candidate& b, const Target& t
 {
   const Candidate &fewer = a.shell <= b.shell ? a : b, &more = a.shell <= b.shell ? b : a;
   double sum = 0;
-  for (std::size_t i = target.first; i < target.last; ++i) sum += covariance(fewer.rows[i], more.rows[i], more.degree);
+  for (std::size_t i = target.first; i < target.last; ++i)
+    sum += covariance(fewer.rows[i], more.rows[i], fewer.rows.size() - 1, fewer.degree, more.degree);
   return sum;
 }
 
@@ -109,14 +116,24 @@ using Of_orders = std::array<double, highest_order + 1>;
 
 inline Of_orders error_products(const Candidate& a, const Candidate& b, const Target& target)
 {
+  static constexpr Binomials binomials;
+  constexpr std::size_t end = number_of_jet_coefficients(highest_order);
   Of_orders result{};
   const std::size_t lowest = std::max(a.degree, b.degree) + 1;
-  for (std::size_t i = target.first; i < target.last; ++i)
-    for (std::size_t k = lowest; k <= highest_order; ++k)
-      for (std::size_t j = 0; j <= k; ++j) {
-        const std::size_t t = term_index(k, j);
-        result[k] += binomial(k, j) * a.rows[i].responses[t] * b.rows[i].responses[t];
-      }
+  std::array<double, end> products;
+  for (std::size_t i = target.first; i < target.last; ++i) {
+    const double *of_a = a.rows[i].responses.data(), *of_b = b.rows[i].responses.data();
+    for (std::size_t next = term_index(lowest, 0); next < end; next += lanes) {
+      const std::size_t t = std::min(next, end - lanes);
+      const Lanes product = Lanes::load(&binomials.of_terms[t]) * Lanes::load(of_a + t) * Lanes::load(of_b + t);
+      product.store(&products[t]);
+    }
+    for (std::size_t k = lowest; k <= highest_order; ++k) {
+      double sum = result[k];
+      for (std::size_t t = term_index(k, 0); t < term_index(k + 1, 0); ++t) sum += products[t];
+      result[k] = sum;
+    }
+  }
   return result;
 }
 
@@ -125,8 +142,6 @@ inline Of_orders error_products(const Candidate& a, const Candidate& b, const Ta
 class Normal_matrix
 {
   static constexpr std::size_t most = number_of_jet_coefficients(highest_degree);
-  static constexpr std::size_t lanes = (std::max)(2, numeric::native_lanes<double>());
-  using Pack = numeric::Pack<double, int(lanes)>;
   using Row = std::array<double, most + lanes>; // of any width, with zeros after it
 
 public:
@@ -142,16 +157,7 @@ public:
         if (!std::isfinite(scale)) return;
       }
     for (std::size_t order = 0; order <= degree; ++order)
-      for (std::size_t j = 0; j <= order; ++j)
-        for (std::size_t lower = 0; lower <= order; ++lower) {
-          const double* terms = &moments.terms[term_index(order + lower, j)];
-          const double* scales = &m_scale[place(lower)];
-          double* entries = &m_factor[place(order) + j][place(lower)];
-          for (std::size_t i = 0; i <= lower; ++i) entries[i] = m_scale[place(order) + j] * scales[i] * terms[i];
-          if (moments.slope_weight > 0)
-            for (std::size_t i = 0; i <= lower; ++i)
-              entries[i] += m_scale[place(order) + j] * scales[i] * moments.product_of_gradients(order, j, lower, i);
-        }
+      for (std::size_t j = 0; j <= order; ++j) assemble(moments, order, j);
     m_is_regular = factorize();
   }
 
@@ -190,18 +196,51 @@ public:
   }
 
 private:
-  // Row by row, each taken off those below.
+  // High orders come first, and what is stored beyond an order is of the next.
+  void assemble(const Moments& moments, std::size_t order, std::size_t j)
+  {
+    Row& row = m_factor[place(order) + j];
+    const double own_scale = m_scale[place(order) + j];
+    const Lanes scale = own_scale;
+    for (std::size_t lower = order + 1; lower-- > 0;) {
+      const double* terms = &moments.terms[term_index(order + lower, j)];
+      for (std::size_t i = 0; i <= lower; i += lanes)
+        (scale * Lanes::load(&m_scale[place(lower) + i]) * Lanes::load(terms + i)).store(&row[place(lower) + i]);
+    }
+    std::fill_n(&row[m_size], lanes, 0.);
+    if (!(moments.slope_weight > 0)) return;
+    for (std::size_t lower = 0; lower <= order; ++lower)
+      for (std::size_t i = 0; i <= lower; ++i)
+        row[place(lower) + i] +=
+            own_scale * m_scale[place(lower) + i] * moments.product_of_gradients(order, j, lower, i);
+  }
+
+  // Row by row, those before taken off each.
   bool factorize()
   {
-    for (std::size_t a = 0; a < m_size; ++a) {
-      Row& row = m_factor[a];
-      if (!(row[a] > 1e-13)) return false;
-      const double per_root = 1 / std::sqrt(row[a]);
-      for (std::size_t b = a; b < m_size; ++b) row[b] *= per_root;
-      m_per_diagonal[a] = 1 / row[a];
-      for (std::size_t below = a + 1; below < m_size; ++below) subtract(row[below], row, m_factor[below], below);
+    for (std::size_t b = 0; b < m_size; ++b) {
+      Row& row = m_factor[b];
+      std::size_t a = 0;
+      for (; a + 4 <= b; a += 4) subtract_four(a, b);
+      for (; a < b; ++a) subtract(m_factor[a][b], m_factor[a], row, b);
+      if (!(row[b] > 1e-13)) return false;
+      const Lanes per_root = 1 / std::sqrt(row[b]);
+      for (std::size_t c = b; c < m_size; c += lanes) (per_root * Lanes::load(&row[c])).store(&row[c]);
+      m_per_diagonal[b] = 1 / row[b];
     }
     return true;
+  }
+
+  // Takes four rows, the first of them a, off row b; which is read and written once.
+  void subtract_four(std::size_t a, std::size_t b)
+  {
+    const Row &first = m_factor[a], &second = m_factor[a + 1], &third = m_factor[a + 2], &fourth = m_factor[a + 3];
+    const Lanes f = first[b], g = second[b], h = third[b], i = fourth[b];
+    Row& row = m_factor[b];
+    for (std::size_t c = b; c < m_size; c += lanes)
+      (Lanes::load(&row[c]) - f * Lanes::load(&first[c]) - g * Lanes::load(&second[c]) - h * Lanes::load(&third[c]) -
+       i * Lanes::load(&fourth[c]))
+          .store(&row[c]);
   }
 
   void forward(Row& y, std::size_t begin) const
@@ -216,9 +255,9 @@ private:
   Coefficients coefficients(Row& y, std::size_t order) const
   {
     for (std::size_t a = m_size; a-- > place(order);) {
-      Pack products = 0;
+      Lanes products = 0;
       for (std::size_t b = a + 1; b < m_size; b += lanes)
-        products = products + Pack::load(&m_factor[a][b]) * Pack::load(&y[b]);
+        products = products + Lanes::load(&m_factor[a][b]) * Lanes::load(&y[b]);
       double sum = y[a];
       for (std::size_t lane = 0; lane < lanes; ++lane) sum -= products[int(lane)];
       y[a] = sum * m_per_diagonal[a];
@@ -232,9 +271,9 @@ private:
   // Takes so many times the end of one row off another.
   void subtract(double factor, const Row& row, Row& from, std::size_t begin) const
   {
-    const Pack f = factor;
+    const Lanes f = factor;
     for (std::size_t b = begin; b < m_size; b += lanes)
-      (Pack::load(&from[b]) - f * Pack::load(&row[b])).store(&from[b]);
+      (Lanes::load(&from[b]) - f * Lanes::load(&row[b])).store(&from[b]);
   }
 
   // Where an order begins.
@@ -242,14 +281,32 @@ private:
 
   std::size_t m_degree, m_size;
   bool m_is_regular = false;
-  std::array<double, most> m_scale{}, m_per_diagonal;
-  std::array<Row, most> m_factor{}; // upper triangle
+  Row m_scale{};
+  std::array<double, most> m_per_diagonal;
+  std::array<Row, most> m_factor; // upper triangle
 };
 
 /// What makes a coefficient the j-th row for derivatives of this order.
 inline double derivative_factor(std::size_t order, std::size_t j)
 {
   return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
+}
+
+/// What a row answers to the terms of an order above the degree.
+inline void add_responses(const Moments& moments, std::size_t degree, std::size_t order, Estimate_row& row)
+{
+  for (std::size_t l = 0; l <= order; l += 2 * lanes) {
+    Lanes first = 0, second = 0;
+    for (std::size_t k = 0, a = 0; k <= degree; ++k)
+      for (std::size_t i = 0; i <= k; ++i, ++a) {
+        const double* terms = &moments.terms[term_index(order + k, l + i)];
+        const Lanes of_moment = row.of_moments[a];
+        first = first + of_moment * Lanes::load(terms);
+        second = second + of_moment * Lanes::load(terms + lanes);
+      }
+    for (std::size_t j = 0; j < 2 * lanes && l + j <= order; ++j)
+      row.responses[term_index(order, l + j)] = j < lanes ? first[int(j)] : second[int(j - lanes)];
+  }
 }
 
 /// What a row answers to the slopes of terms above the degree.
@@ -273,12 +330,7 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
   row.of_moments = matrix.column(order, j);
   for (double& m : row.of_moments) m *= factor;
   row.responses[own] = factor;
-  std::size_t a = 0;
-  for (std::size_t k = 0; k <= degree; ++k)
-    for (std::size_t i = 0; i <= k; ++i, ++a)
-      for (std::size_t high = degree + 1; high <= highest_order; ++high)
-        for (std::size_t l = 0; l <= high; ++l)
-          row.responses[term_index(high, l)] += row.of_moments[a] * moments.terms[term_index(high + k, i + l)];
+  for (std::size_t high = degree + 1; high <= highest_order; ++high) add_responses(moments, degree, high, row);
   if (moments.slope_weight > 0) add_responses_of_slopes(moments, degree, row);
   return row;
 }
@@ -386,25 +438,23 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
   return result;
 }
 
-/// Derivatives of order 2 in axes that are turned by an angle from x to y.
-inline Candidate turned(const Candidate& c, double cosine, double sine)
+/// Takes derivatives of order 2 to axes that are turned by an angle from x to y.
+inline void turn(Candidate& c, double cosine, double sine)
 {
-  if (!c) return c;
+  if (!c) return;
   const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
-  const double turn[3][3] = {{c2, r, s2}, {-r, c2 - s2, r}, {s2, -r, c2}};
-  Candidate result = c;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.values[i] = 0;
-    for (std::size_t k = 0; k < 3; ++k) result.values[i] += turn[i][k] * c.values[k];
-    if (c.rows.empty()) continue;
-    Estimate_row& row = result.rows[i];
-    row = {};
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t t = 0; t < row.of_moments.size(); ++t) row.of_moments[t] += turn[i][k] * c.rows[k].of_moments[t];
-      for (std::size_t t = 0; t < row.responses.size(); ++t) row.responses[t] += turn[i][k] * c.rows[k].responses[t];
-    }
-  }
-  return result;
+  const auto in_new_axes = [&](double& xx, double& xy, double& yy) {
+    const std::array<double, 3> q{xx, xy, yy};
+    xx = c2 * q[0] + r * q[1] + s2 * q[2];
+    xy = -r * q[0] + (c2 - s2) * q[1] + r * q[2];
+    yy = s2 * q[0] - r * q[1] + c2 * q[2];
+  };
+  in_new_axes(c.values[0], c.values[1], c.values[2]);
+  if (c.rows.empty()) return;
+  Estimate_row &xx = c.rows[0], &xy = c.rows[1], &yy = c.rows[2];
+  for (std::size_t t = 0; t < xx.of_moments.size(); ++t)
+    in_new_axes(xx.of_moments[t], xy.of_moments[t], yy.of_moments[t]);
+  for (std::size_t t = 0; t < xx.responses.size(); ++t) in_new_axes(xx.responses[t], xy.responses[t], yy.responses[t]);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -48,6 +48,13 @@ public:
   }
 
   bool operator[](std::size_t candidate) const { return m_wanted[candidate]; }
+  /// Whether there are any of a shell.
+  bool has(const Ladder& ladder, std::size_t shell) const
+  {
+    bool result = false;
+    for (std::size_t c = shell; c < ladder.size(); c += ladder.radii.size()) result = result || m_wanted[c];
+    return result;
+  }
   /// The number of shells that they need.
   std::size_t shells() const { return m_degrees.size(); }
   /// The highest degree for which a shell is needed.
@@ -93,9 +100,8 @@ public:
                         const Ladder& ladder, std::size_t order, const Selection& selection, bool with_rows) const
   {
     Candidates result(ladder.size());
-    typename Walker<Neighbors>::Disk disk;
-    walker.disk(i, frame, ladder.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, m_most},
-                disk);
+    typename Walker<Neighbors>::Disk& disk = walker.disk(i, frame, ladder.radii, selection.shells(),
+                                                         {m_surface.units[i], ratio, least_cosine(), least, m_most});
     std::vector<Slope> slopes;
     if (m_surface.given) slopes = slopes_of(disk, frame);
     if (m_height == Height::potential)
@@ -107,12 +113,13 @@ public:
       moments.are_of_potentials = m_height == Height::potential;
     }
     for (std::size_t j = 0, k = 0; j < disk.ends.size(); ++j) {
+      if (!selection.has(ladder, j)) continue; // its samples are added with those of the next
       const std::size_t count = disk.ends[j] - k;
       add(disk.places.data() + k, count, selection.degree(j), with_rows, moments);
       if (m_surface.given)
         add_slopes(disk.places.data() + k, slopes.data() + k, count, selection.degree(j), with_rows, moments);
       k = disk.ends[j];
-      if (j > 0 && count < 3) continue; // the same fit again
+      if (j > 0 && k - disk.ends[j - 1] < 3) continue; // the same fit again
       for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
         if (selection[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order, with_rows);
     }

@@ -44,7 +44,9 @@ struct Slope
 /// entries of both are moments; sums over shells nest.
 struct Moments
 {
-  std::array<double, number_of_jet_coefficients(highest_degree + highest_order)> terms{}; ///< sums of x^i y^j
+  /// Sums of x^i y^j, and zeros, which packs read.
+  std::array<double, number_of_jet_coefficients(highest_degree + highest_order) + 2 * numeric::moment_sums::lanes>
+      terms{};
   Coefficients heights{};         ///< of x^i y^j z, and what slopes add
   double slope_weight = 0;        ///< of the square of a slope, where slopes are data, that of a height being 1
   bool are_of_potentials = false; ///< heights z (1 + n_z) / 2, and tangential parts of normals in the place of slopes

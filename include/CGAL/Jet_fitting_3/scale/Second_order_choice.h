@@ -150,7 +150,7 @@ public:
     const double unit = m_surface.units[i];
     result.errors = errors_in_disks(candidates[0], result.choices[all], most_squared_bias(place) * unit * unit, q);
     if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * result.choices[all].risk()) {
-      for (Candidate& candidate : candidates[0]) candidate = turned(candidate, cosine, sine);
+      for (Candidate& candidate : candidates[0]) turn(candidate, cosine, sine);
       refine(walker, i, place, std::move(candidates), q, result);
     }
     set_scale(result, unit);
@@ -301,7 +301,7 @@ private:
     if (!place.choices[all].exists()) return;
     const auto [cosine, sine] = principal_axis(place.q);
     place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
-    for (Candidate& candidate : place.candidates[0]) candidate = turned(candidate, cosine, sine);
+    for (Candidate& candidate : place.candidates[0]) turn(candidate, cosine, sine);
     for (std::size_t s = 0; s < shapes.size(); ++s) {
       if (s > 0)
         place.candidates[s] =

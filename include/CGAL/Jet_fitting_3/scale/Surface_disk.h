@@ -191,10 +191,11 @@ public:
 
   /// The part of the surface around the seed within ellipses around the axis z of the frame, up to the first `shells`
   /// radii, or those before the surface turns too far. Their areas are those of disks, their y axes are longer than
-  /// their x axes.
-  void disk(std::size_t seed, const Local_frame& frame, const std::vector<double>& radii, std::size_t shells,
-            const Extent& extent, Disk& disk)
+  /// their x axes. Is there until the next call.
+  Disk& disk(std::size_t seed, const Local_frame& frame, const std::vector<double>& radii, std::size_t shells,
+             const Extent& extent)
   {
+    Disk& disk = m_disk;
     ++m_turn;
     disk.vertices.clear();
     disk.places.clear();
@@ -215,13 +216,14 @@ public:
       const auto is_too_large = [&] { return disk.vertices.size() + m_shells[s].size() > extent.most; };
       for (std::size_t k = 0; k < m_shells[s].size() && !is_too_large() && !(is_enough && squares[s] > reach); ++k)
         reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, in_units, squares, s, ellipse));
-      if (is_too_large() || (is_enough && squares[s] > reach)) return;
+      if (is_too_large() || (is_enough && squares[s] > reach)) return disk;
       for (const Found& found : m_shells[s]) {
         disk.vertices.push_back(found.vertex);
         disk.places.push_back(found.place);
       }
       disk.ends.push_back(disk.vertices.size());
     }
+    return disk;
   }
 
 private:
@@ -269,6 +271,7 @@ private:
   std::vector<std::size_t> m_seen;
   std::size_t m_turn = 0;
   std::vector<Shell> m_shells;
+  Disk m_disk;
 };
 
 /// The tangent plane at a vertex, by two fits of degree 2 to three rings; the origin is on the second one.

@@ -46,9 +46,9 @@ bool add_higher_orders(const Surface_points<Neighbors>& surface, Walker<Neighbor
                     least = unknowns + unknowns / 3;
   std::vector<double> radii; // in so many steps
   for (int k = 1; k <= 48; ++k) radii.push_back(double(k) / 48);
-  typename Walker<Neighbors>::Disk disk;
   const Local_frame round{frame.origin, round_axes(surface, i, frame.axes)};
-  walker.disk(i, round, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns}, disk);
+  typename Walker<Neighbors>::Disk& disk =
+      walker.disk(i, round, radii, radii.size(), {radius, 1, least_cosine_of_heights, least, 4 * unknowns});
   std::vector<std::size_t>& found = disk.vertices;
   if (found.size() < least) {
     const std::size_t rings = walker.first_rings(i, 1, least, found, disk.ends);

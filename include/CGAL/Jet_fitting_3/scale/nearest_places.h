@@ -57,6 +57,14 @@ struct Distance_of_places
   }
 };
 
+/// Whether, without a division, places are seen to be farther from each other than by a distance between like ones.
+inline bool is_farther(const Whereabouts& a, const Whereabouts& b, const Distance_of_places& distance)
+{
+  constexpr double rounding = 1e-12;
+  return distance.unlike == 1 &&
+         squared_distance(a.point, b.point) > (1 + rounding) * distance.square * (a.unit * b.unit);
+}
+
 /// Squared distances, in units, and numbers of places, the nearest first.
 using Near = std::vector<std::pair<double, std::size_t>>;
 
@@ -66,6 +74,7 @@ inline std::size_t nearest_place(const std::vector<Whereabouts>& places, const W
   std::size_t nearest = 0;
   Distance_of_places least(places[0], to);
   for (std::size_t k = 1; k < places.size(); ++k) {
+    if (is_farther(places[k], to, least)) continue;
     const Distance_of_places d(places[k], to);
     if (!(d < least)) continue;
     least = d;
