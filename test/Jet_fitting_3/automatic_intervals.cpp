@@ -85,6 +85,14 @@ const std::vector<Surface>& surfaces()
          const double x = 2 * u - 1;
          return on_trough(x, 2 * v - 1, 0.15 * std::sin(3 * x), 0.45 * std::cos(3 * x), -1.35 * std::sin(3 * x));
        }},
+      {"barrel", // the bias is at the borders
+       [](double u, double v) {
+         const double z = 0.8 * (2 * v - 1), r = 1 - 0.3 * z * z, slope = -0.6 * z,
+                      length = std::sqrt(1 + slope * slope);
+         const double c = std::cos(turn * u), s = std::sin(turn * u);
+         return Place{Kernel::Point_3(r * c, r * s, z), Vector(c, s, -slope) / length,
+                      -0.6 / (length * length * length), -1 / (r * length)};
+       }},
       {"trough", [](double u, double v) {
          const double x = 2 * u - 1;
          return on_trough(x, 2 * v - 1, 0.3 * x * x * x * x, 1.2 * x * x * x, 3.6 * x * x);
@@ -150,15 +158,15 @@ int main()
         const std::string name = surface.name + ", noise " + text(noise) + (with_normals ? ", normals" : "");
         std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
                   << " growth " << found.growth() << std::endl;
-        // wanted are 0.8 everywhere. Not there: where the bias of degree 4 is seen along a flat line, not beside it
-        const double least = surface.name == "trough" ? 0.7 : 0.8;
+        // wanted are 0.8 everywhere. Not there: where noise hides the bias at borders
+        const double least = surface.name == "barrel" ? 0.7 : 0.8;
         for (const int count : {found.held1, found.held2}) {
           const double held = double(count) / found.count;
           check_ge(held, least, name + ": part of the intervals that holds the truth");
           ++cases;
           good += held >= 0.9;
         }
-        if (surface.name == "plane") check_le(found.growth(), 1.15, name + ": growth where noise is all there is");
+        if (surface.name == "plane") check_le(found.growth(), 1.14, name + ": growth where noise is all there is");
       }
   std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";
   check_ge(double(good), 0.95 * cases, "cases in which 90 % of the intervals hold the truth");

@@ -216,7 +216,7 @@ private:
       if (k % sparse > 0) fit(k);
     });
     find_nearest(sample, close);
-    learn_choices(patches, ladders, ends, for_each);
+    learn_choices(patches, leans_of(sample, ladders, ends, for_each), ladders, ends, for_each);
   }
 
   void make_ladders(const Indices& sample, const std::vector<int>& levels, double radius, bool knows_noise)
@@ -231,7 +231,22 @@ private:
   }
 
   template <class For_each>
-  void learn_choices(const Patches& patches, const std::vector<Local_ladder>& ladders,
+  std::vector<double> leans_of(const Indices& sample, const std::vector<Local_ladder>& ladders,
+                               const std::vector<std::size_t>& ends, const For_each& for_each) const
+  {
+    std::vector<double> leans(sample.size());
+    for_each(sample.size(), [&](std::size_t k) {
+      const Ladder& ladder = m_ladders[m_levels[k]];
+      const double radius = ladder.radii[std::min(ladder.axes, ends[k] - 1)];
+      Indices near;
+      m_within(sample[k], radius + (m_cloud.has_normals() ? 0 : 5 * ladder.noise.position), near);
+      leans[k] = lean(m_cloud, near, ladders[k].frame, radius);
+    });
+    return leans;
+  }
+
+  template <class For_each>
+  void learn_choices(const Patches& patches, const std::vector<double>& leans, const std::vector<Local_ladder>& ladders,
                      const std::vector<std::size_t>& ends, const For_each& for_each)
   {
     m_tables.resize(ends.size());
@@ -239,7 +254,7 @@ private:
     m_wanted.resize(ends.size());
     for_each(ends.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
-      m_tables[k] = table_of(patches[k], ladders, ladder, ends[k]);
+      m_tables[k] = bias_table(patch_with_leans(patches[k], ladders, leans, leans[k]), ladder, ends[k]);
       const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
       m_chosen[k] = chosen_nearby(scale, ladders[k]);
       if (ends[k] < ladder.radii.size()) m_chosen[k].factor = 8; // misfit is most of the noise, and that is by chance
@@ -272,14 +287,23 @@ private:
     return patches;
   }
 
-  // \param only every so many of the subsample
-  static Bias_table table_of(const std::vector<std::uint32_t>& members, const std::vector<Local_ladder>& ladders,
-                             const Ladder& ladder, std::size_t end, std::uint32_t only = 1)
+  // Each member weighs what it tells of a place with this lean; all weigh more where these are too few.
+  static Patch_statistics::Patch patch_with_leans(const std::vector<std::uint32_t>& members,
+                                                  const std::vector<Local_ladder>& ladders,
+                                                  const std::vector<double>& leans, double lean)
   {
+    constexpr double fewest = 20;
     Patch_statistics::Patch patch;
-    for (const std::uint32_t member : members)
-      if (member % only == 0) patch.push_back(&ladders[member]);
-    return bias_table(patch, ladder, end);
+    double weights = 0;
+    for (double width = constant::lean; weights < fewest && width < 1; width *= 1.5) {
+      patch.clear();
+      weights = 0;
+      for (const std::uint32_t member : members) {
+        patch.push_back({&ladders[member], likeness(leans[member] - lean, width)});
+        weights += patch.back().weight;
+      }
+    }
+    return patch;
   }
 
   // Where a part of the subsample chooses small balls, mostly without noise, the others do without large ones: all that
@@ -293,7 +317,10 @@ private:
     for_each((ends.size() + sparse - 1) / sparse, [&](std::size_t n) {
       const std::size_t k = n * sparse;
       const Ladder& ladder = m_ladders[m_levels[k]];
-      const Point_scale scale = choose(ladders[k], table_of(patches[k], ladders, ladder, ends[k], sparse), ladder);
+      Patch_statistics::Patch patch;
+      for (const std::uint32_t member : patches[k])
+        if (member % sparse == 0) patch.push_back({&ladders[member], 1});
+      const Point_scale scale = choose(ladders[k], bias_table(patch, ladder, ends[k]), ladder);
       chosen[k] = scale.is_chosen ? rungs_around(scale, ladder, ends[k]).end() + spare : ends[k];
     });
     for (std::size_t k = 0; k < ends.size(); ++k) {

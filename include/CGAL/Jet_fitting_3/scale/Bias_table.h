@@ -33,7 +33,10 @@ constexpr double clip = 400;            ///< a difference counts for so many var
 constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
 constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
 constexpr double bias_factor = 20;      ///< of a squared bias in an interval: it is known to a factor of 4 or so
-constexpr double hidden = 0.3;          ///< what a bias may add to the variance in an interval, without evidence
+constexpr double hidden = 0.25;         ///< what a bias may add to the variance in an interval, without evidence
+constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
+constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
+constexpr double lean = 0.1;    ///< difference of leans from which on places tell little of each other
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -93,12 +96,25 @@ struct Estimated
   double value, error;
 };
 
+/// How much places tell of each other: where the surface ends fits are one-sided, and err by more than elsewhere.
+/// \param difference of their leans
+inline double likeness(double difference, double width)
+{
+  const double d = difference / width;
+  return 1 / (1 + d * d * d * d);
+}
+
 /// Compares candidates with references over a patch, the points of a subsample in one large ball. The balls at these
 /// points overlap: there are fewer independent estimates than points.
 class Patch_statistics
 {
 public:
-  using Patch = std::vector<const Local_ladder*>;
+  struct Member
+  {
+    const Local_ladder* ladder;
+    double weight; ///< 1 at most
+  };
+  using Patch = std::vector<Member>;
 
   /// Some fit at each of the points.
   struct Fit
@@ -116,25 +132,34 @@ public:
   /// since the candidate is the efficient one.
   Estimated squared_bias(const Fit& of_candidate, const Fit& of_reference) const
   {
-    double total = 0, sum = 0, n = 0;
-    for (const Local_ladder* local : m_patch) {
+    double total = 0, sum = 0, weights = 0, squares = 0;
+    std::size_t n = 0;
+    for (const auto& [local, weight] : m_patch) {
       if (local->of_shape(of_candidate.shape).size() <= of_candidate.rung) continue;
       const Turned_second_order &candidate = found(*local, of_candidate), &reference = found(*local, of_reference);
       const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
       if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
       const double d = std::min(squared_difference(candidate, reference, m_target), constant::clip * v_k);
-      const double w = 1 / (v_k * v_k);
+      const double w = weight / (v_k * v_k);
       total += w;
       sum += w * (d - std::max(0., v_k - v));
-      n += 1;
+      weights += weight;
+      squares += weight * weight;
+      ++n;
     }
     if (n < 2) return {0, unknown};
-    const double ratio = m_ladder.patch() / m_ladder.radii[of_reference.rung];
-    const double independent = std::min(n, std::max(1., 2 * ratio * ratio));
-    return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (n / total) / independent)};
+    const double independent = std::min(weights * weights / squares, std::max(1., places_apart(of_reference)));
+    return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (weights / total) / independent)};
   }
 
 private:
+  // How many fits of a shape have room side by side in the patch, about.
+  double places_apart(const Fit& fit) const
+  {
+    const double ratio = m_ladder.patch() / m_ladder.radii[fit.rung];
+    return 2 * ratio * ratio * (fit.shape == Shape::ball ? 1 : elongation);
+  }
+
   static const Turned_second_order& found(const Local_ladder& local, const Fit& fit)
   {
     return local.of_shape(fit.shape)[fit.rung].of_degree(fit.degree);
@@ -167,8 +192,8 @@ inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch,
   std::vector<double> result(ladder.radii.begin(), ladder.radii.begin() + std::ptrdiff_t(end));
   for (std::size_t j = 1; j < end; ++j) {
     double smaller = 0, larger = 0;
-    for (const Local_ladder* local : patch) {
-      const std::vector<Rung>& rungs = local->of_shape(shape);
+    for (const Patch_statistics::Member& member : patch) {
+      const std::vector<Rung>& rungs = member.ladder->of_shape(shape);
       if (rungs.size() <= j) continue;
       smaller += rungs[j - 1].size(2);
       larger += rungs[j].size(2);
@@ -250,8 +275,9 @@ inline void share_evidence(Bias_in_shape& of_degrees)
 inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladder& ladder)
 {
   double sum = 0;
-  for (const Local_ladder* local : patch) {
-    const double k = local->candidates[std::min(ladder.axes, local->candidates.size() - 1)].of_degree(2).value[2];
+  for (const Patch_statistics::Member& member : patch) {
+    const std::vector<Rung>& rungs = member.ladder->candidates;
+    const double k = rungs[std::min(ladder.axes, rungs.size() - 1)].of_degree(2).value[2];
     sum += k * k;
   }
   return patch.empty() ? 0 : sum / double(patch.size());

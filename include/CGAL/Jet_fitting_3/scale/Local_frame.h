@@ -172,6 +172,18 @@ inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std
   return frame;
 }
 
+/// How far the middle of the samples in a ball lies beside its own, per radius: 0.42 at a straight border.
+inline double lean(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
+{
+  double x = 0, y = 0, n = 0;
+  for (const std::size_t k : inside(cloud, near, frame, radius)) {
+    x += dot(cloud.points[k] - frame.origin, frame.axes.x);
+    y += dot(cloud.points[k] - frame.origin, frame.axes.y);
+    n += 1;
+  }
+  return n > 0 ? std::sqrt(x * x + y * y) / (n * radius) : 0;
+}
+
 /// The direction in which the points of a ball spread least.
 inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
 {

@@ -45,7 +45,7 @@ inline double radius_of_area(const Choice& choice)
 /// there is they are as large as the noise: without evidence they count for little.
 inline double squared_error(const Choice& choice)
 {
-  const double evidence = std::max(0., choice.evidence - 1);
+  const double evidence = constant::per_shown * std::max(0., choice.evidence - constant::shown);
   return choice.excess * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
                                                     choice.variance * (constant::hidden + evidence * evidence));
 }
