@@ -132,7 +132,8 @@ public:
     result.choices[all] = place.choices[all];
     Candidates_of_shapes candidates;
     candidates[0] = fit(walker, i, result.frame, 0, place.selections[0], false);
-    if (!fits(place.choices[all], place, candidates[0])) {
+    if (!fits(place.choices[all], place, candidates[0]) ||
+        surprise(candidates[0], place.choices[all], targets[all]) > far) {
       candidates[0] = fit(walker, i, result.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
       result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], i, 0, all, nullptr);
     }
@@ -481,6 +482,12 @@ private:
   static double doubtful_bias(const Candidates& candidates, const Choice& choice, const Target& target)
   {
     constexpr double uncertain = 8;
+    return uncertain * std::max(1., surprise(candidates, choice, target)) * choice.squared_bias;
+  }
+
+  // The mean square by which candidates differ from their mean, over what a choice expects; 0 where that is nothing.
+  static double surprise(const Candidates& candidates, const Choice& choice, const Target& target)
+  {
     double x = 0, y = 0, square = 0, sum = 0;
     const std::array<double, 3> q = mean(candidates, choice, x, y);
     for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -489,8 +496,7 @@ private:
       for (std::size_t k = target.first; k < target.last; ++k)
         square += choice.weights[c] * std::pow(candidates[c].values[k] - q[k], 2);
     }
-    const double surprise = choice.spread > 0 ? std::max(1., square / (sum * choice.spread)) : 1;
-    return uncertain * surprise * choice.squared_bias;
+    return choice.spread > 0 ? square / (sum * choice.spread) : 0;
   }
 
   const Surface& m_surface;
