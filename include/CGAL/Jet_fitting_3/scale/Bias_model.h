@@ -378,11 +378,11 @@ inline Mean_scale mean_scale(const Choice& choice, const Ladder& ladder)
   return mean;
 }
 
-/// The candidates that exist, but for those whose own risk is so many times the least that they get no weight.
+/// The candidates that exist, but for those whose own risk is so many times the least: by default, that they get no
+/// weight.
 inline std::vector<std::size_t> promising(const Candidates& candidates, const Bias_model& model, const Target& target,
-                                          double square_of_noise)
+                                          double square_of_noise, double hopeless = 25)
 {
-  constexpr double hopeless = 25;
   std::vector<double> risks(candidates.size());
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < candidates.size(); ++i) {

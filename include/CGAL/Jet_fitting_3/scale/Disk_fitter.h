@@ -47,6 +47,14 @@ public:
       if (is_used(choice, c)) add(ladder, c);
   }
 
+  /// One of them.
+  void add(const Ladder& ladder, std::size_t c)
+  {
+    m_wanted[c] = true;
+    m_degrees.resize(std::max(m_degrees.size(), ladder.shell(c) + 1));
+    for (std::size_t j = 0; j <= ladder.shell(c); ++j) m_degrees[j] = std::max(m_degrees[j], ladder.degree(c));
+  }
+
   bool operator[](std::size_t candidate) const { return m_wanted[candidate]; }
   /// Whether there are any of a shell.
   bool has(const Ladder& ladder, std::size_t shell) const
@@ -61,13 +69,6 @@ public:
   std::size_t degree(std::size_t shell) const { return m_degrees[shell]; }
 
 private:
-  void add(const Ladder& ladder, std::size_t c)
-  {
-    m_wanted[c] = true;
-    m_degrees.resize(std::max(m_degrees.size(), ladder.shell(c) + 1));
-    for (std::size_t j = 0; j <= ladder.shell(c); ++j) m_degrees[j] = std::max(m_degrees[j], ladder.degree(c));
-  }
-
   std::vector<bool> m_wanted;
   std::vector<std::size_t> m_degrees;
 };

@@ -134,7 +134,7 @@ public:
     candidates[0] = fit(walker, i, result.frame, 0, place.selections[0], false);
     if (!fits(place.choices[all], place, candidates[0]) ||
         surprise(candidates[0], place.choices[all], targets[all]) > far) {
-      candidates[0] = fit(walker, i, result.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
+      candidates[0] = own_candidates(walker, i, result.frame, 0, place);
       result.choices[all] = choose_by(m_models[place.model].of_all, candidates[0], i, 0, all, nullptr);
     }
     if (!result.choices[all].exists()) return estimate_of_rings(m_surface, walker, i, m_squares_of_noise[i]);
@@ -170,6 +170,7 @@ private:
     std::array<std::vector<double>, shapes.size()> variances;
     std::array<Choice, 4> choices;
     std::array<Selection, shapes.size()> selections; // what they use
+    std::array<Selection, shapes.size()> hopeful;    // what vertices around it may use
     std::array<double, 3> q{};                       // second derivatives by disks
     double own_size = 0;                             // sum of the squares of the second derivatives
   };
@@ -188,6 +189,16 @@ private:
                  const Selection& selection, bool with_rows) const
   {
     return m_fitter(walker, i, frame, shapes[shape], m_ladder, 2, selection, with_rows);
+  }
+
+  // With rows: those that are hopeful at a place, or all where none of them exists.
+  Candidates own_candidates(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, std::size_t shape,
+                            const Place& place) const
+  {
+    Candidates candidates = fit(walker, i, frame, shape, place.hopeful[shape], true);
+    if (std::none_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return bool(c); }))
+      candidates = fit(walker, i, frame, shape, Selection(m_ladder, m_ladder.radii.size()), true);
+    return candidates;
   }
 
   // Whether the candidates that a choice at a place uses exist and are about as certain.
@@ -337,12 +348,25 @@ private:
       m_places[k].choices = {choices[k][x][0], choices[k][xy][1], choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
+      for (Selection& selection : place.hopeful) selection = Selection(m_ladder);
+      add_hopeful(place, 0, all, m_models[place.model].of_all);
+      for (std::size_t t = 0; t < all; ++t)
+        add_hopeful(place, place.choices[t].shape, t, m_models[place.model].components[place.choices[t].shape][t]);
       place.candidates = {};
       place.comparisons = {};
       for (Selection& selection : place.selections) selection = Selection(m_ladder);
       place.selections[0].add(m_ladder, place.choices[all]);
       for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_ladder, place.choices[t]);
     }
+  }
+
+  // Those whose risk is not too far above the least.
+  void add_hopeful(Place& place, std::size_t shape, std::size_t target, const Bias_model& model) const
+  {
+    constexpr double hopeless = 400; // with 50 candidates are missing that vertices need
+    for (const std::size_t c :
+         promising(place.candidates[shape], model, targets[target], m_squares_of_noise[place.vertex], hopeless))
+      place.hopeful[shape].add(m_ladder, c);
   }
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
@@ -423,7 +447,7 @@ private:
     const std::size_t shape = place.choices[target].shape;
     const auto has_rows = [](const Candidate& c) { return !c.rows.empty(); };
     if (std::none_of(candidates.begin(), candidates.end(), has_rows))
-      candidates = fit(walker, i, frame, shape, Selection(m_ladder, m_ladder.radii.size()), true);
+      candidates = own_candidates(walker, i, frame, shape, place);
     const Models& models = m_models[place.model];
     return choose_by(models.components[shape][target], candidates, i, shape, target, &models.of_all);
   }
