@@ -178,6 +178,7 @@ private:
   // Of the places around one.
   struct Models
   {
+    Near near;         // these, and one more
     Bias_model of_all; // by disks
     std::array<std::array<Bias_model, all>, shapes.size()> components;
     double variation = 0; // of the curvatures
@@ -219,7 +220,12 @@ private:
       return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable { compare_disks(walker, m_places[k]); };
     });
     m_models.resize((m_places.size() + places_per_model - 1) / places_per_model);
-    for_each(m_models.size(), [&] { return [&](std::size_t m) { m_models[m].of_all = model(m, 0, all); }; });
+    for_each(m_models.size(), [&] {
+      return [&](std::size_t m) {
+        m_models[m].near = nearest_places(m_points, m_points[m * places_per_model], patch + 1);
+        m_models[m].of_all = model(m, 0, all);
+      };
+    });
     std::vector<Whereabouts> centers;
     for (std::size_t m = 0; m < m_models.size(); ++m) centers.push_back(m_points[m * places_per_model]);
     for (std::size_t k = 0; k < m_places.size(); ++k) {
@@ -236,8 +242,8 @@ private:
     m_variation = variation(every);
     for (std::size_t m = 0; m < m_models.size(); ++m) {
       std::vector<std::size_t> members;
-      for (const auto& near : nearest_places(m_points, m_points[m * places_per_model], patch))
-        members.push_back(near.second);
+      const Near& near = m_models[m].near;
+      for (std::size_t k = 0; k < std::min(patch, near.size()); ++k) members.push_back(near[k].second);
       m_models[m].variation = variation(members);
     }
   }
@@ -293,8 +299,8 @@ private:
   Bias_model model(std::size_t m, std::size_t shape, std::size_t target) const
   {
     const Whereabouts& center = m_points[m * places_per_model];
-    const Near near = nearest_places(m_points, center, patch + 1);
-    const std::size_t count = std::min<std::size_t>(patch, near.size());
+    const Near& near = m_models[m].near;
+    const std::size_t count = std::min(patch, near.size());
     std::vector<const Comparisons*> members;
     double size = 0, square = squared_distance(center.point, m_points[near.back().second].point);
     for (std::size_t k = 0; k < count; ++k) {

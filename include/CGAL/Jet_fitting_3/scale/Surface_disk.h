@@ -256,13 +256,14 @@ private:
       if (!see(v)) continue;
       const Vector_3<double> q = frame.in(m_surface.points[v]);
       const double square = ellipse.xx * q.x * q.x + ellipse.yy * q.y * q.y;
+      if (square > squares.back()) continue;
       if (dot(m_surface.normals[v], frame.axes.z) < ellipse.least_z) {
         reach = std::min(reach, square);
         continue;
       }
       std::size_t own = s;
-      while (own < squares.size() && square > squares[own]) ++own;
-      if (own < squares.size()) m_shells[own].push_back({v, q});
+      while (square > squares[own]) ++own;
+      m_shells[own].push_back({v, q});
     }
     return reach;
   }
