@@ -149,13 +149,16 @@ public:
     result.variances.fill(result.choices[all].variance / 3);
     result.squared_biases.fill(result.choices[all].squared_bias / 3);
     const double unit = m_surface.units[i];
-    result.errors = errors_in_disks(candidates[0], result.choices[all], most_squared_bias(place) * unit * unit, q);
+    const double beside = height(candidates[0], result.choices[all], i);
+    result.errors.fill({result.choices[all].variance / 2,
+                        doubtful_bias(candidates[0], result.choices[all], targets[all]) / 2,
+                        most_squared_bias(place) * unit * unit});
     if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * result.choices[all].risk()) {
       for (Candidate& candidate : candidates[0]) turn(candidate, cosine, sine);
       refine(walker, i, place, std::move(candidates), q, result);
     }
     set_scale(result, unit);
-    set_derivatives(result, q, unit, m_surface.stretch(i) == 1);
+    set_derivatives(result, q, unit, m_surface.stretch(i) == 1, beside);
     return result;
   }
 
@@ -489,23 +492,20 @@ private:
     return q;
   }
 
-  // Of both curvatures, which are q[0] and q[2]. A potential that is measured from an origin so high above the surface,
-  // as three rings tell it, has k (1 - height k / 2) for k.
-  std::array<Interval_error, 2> errors_in_disks(const Candidates& candidates, const Choice& choice,
-                                                double most_squared_bias, const std::array<double, 3>& q) const
+  // Of the surface over the origin of vertex i, as disks tell it, if potentials are measured from there: so far as
+  // positions tell curvatures, for slopes are the same whatever the origin.
+  double height(const Candidates& candidates, const Choice& choice, std::size_t i) const
   {
+    if (m_fitter.height() == Height::z) return 0;
     double height = 0, sum = 0;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (!is_used(choice, c)) continue;
       sum += choice.weights[c];
       height += choice.weights[c] * candidates[c].height;
     }
-    const double per_square = m_fitter.height() == Height::potential ? height / sum / 2 : 0;
-    const double bias = doubtful_bias(candidates, choice, targets[all]) / 2;
-    const auto error = [&](double k) {
-      return Interval_error{choice.variance / 2, bias, most_squared_bias, std::pow(per_square * k * k, 2)};
-    };
-    return {error(q[0]), error(q[2])};
+    if (!m_surface.given) return height / sum;
+    const double square = mean_scale(choice, m_ladder).square_of_radius;
+    return height / sum * square / (square + 16 * m_surface.given->weights[i]); // by information on x^2, degree 2
   }
 
   // For intervals. A bias is known to a factor of a few where candidates differ by what is expected, elsewhere less.

@@ -32,20 +32,16 @@ struct Interval_error
   double variance = 0;
   double squared_bias = 0;      ///< with what is uncertain of it
   double most_squared_bias = 0; ///< by how much the curvatures of the surface differ
-  double of_origin = 0;         ///< what its height over the surface does to potentials
 
   /// A bias may hide in noise: a little of it everywhere, more where curvatures differ.
-  double square() const
-  {
-    return 1.3 * variance + std::min(0.7 * variance + squared_bias, most_squared_bias) + of_origin;
-  }
+  double square() const { return 1.3 * variance + std::min(0.7 * variance + squared_bias, most_squared_bias); }
 };
 
 /// In 1 / length, from units.
 inline Interval_error in_lengths(const Interval_error& e, double unit)
 {
   const double f = 1 / (unit * unit);
-  return {f * e.variance, f * e.squared_bias, f * e.most_squared_bias, f * e.of_origin};
+  return {f * e.variance, f * e.squared_bias, f * e.most_squared_bias};
 }
 
 /// Derivatives of order 2 at a vertex as means of several fits, in a frame near the tangent plane whose x axis is near
@@ -133,8 +129,8 @@ inline void straighten(Second_order_estimate& e, std::array<double, 3>& q)
   e.frame.axes = turned_axes(e.frame.axes, cosine, sine);
   e.variances = mapped_squares(map, e.variances);
   e.squared_biases = mapped_squares(map, e.squared_biases);
-  for (double Interval_error::*part : {&Interval_error::variance, &Interval_error::squared_bias,
-                                       &Interval_error::most_squared_bias, &Interval_error::of_origin}) {
+  for (double Interval_error::*part :
+       {&Interval_error::variance, &Interval_error::squared_bias, &Interval_error::most_squared_bias}) {
     double &of_xx = e.errors[0].*part, &of_yy = e.errors[1].*part;
     const std::array<double, 3> squares = mapped_squares(map, {of_xx, (of_xx + of_yy) / 2, of_yy});
     of_xx = squares[0];
@@ -142,11 +138,22 @@ inline void straighten(Second_order_estimate& e, std::array<double, 3>& q)
   }
 }
 
+/// Second derivatives of the surface from those of its potential, in orthonormal axes, whose origin is so far beside
+/// the surface: the potential has k (1 - height k / 2) for a curvature k.
+inline std::array<double, 3> of_surface(const std::array<double, 3>& q, double height)
+{
+  const double half = height / 2, xy = q[1] * q[1] / 2;
+  return {q[0] + half * (q[0] * q[0] + xy), q[1] + half * q[1] * (q[0] + q[2]), q[2] + half * (q[2] * q[2] + xy)};
+}
+
 /// Sets second derivatives, and what errors are expected of them, from those per unit.
 /// \param is_orthonormal whether the axes of the frame are; they become so
-inline void set_derivatives(Second_order_estimate& e, std::array<double, 3> q, double unit, bool is_orthonormal)
+/// \param height of the surface over the origin, per unit, if derivatives are those of the potential, else 0
+inline void set_derivatives(Second_order_estimate& e, std::array<double, 3> q, double unit, bool is_orthonormal,
+                            double height = 0)
 {
   if (!is_orthonormal) straighten(e, q);
+  q = of_surface(q, height);
   e.xx = q[0] / unit;
   e.xy = std::sqrt(0.5) * q[1] / unit;
   e.yy = q[2] / unit;
@@ -195,7 +202,7 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   for (std::size_t k = 0; k < 3; ++k) square += std::pow((is_compared ? larger.values[k] : 0) - q[k], 2);
   result.squared_biases.fill(square / 3);
   constexpr double unlimited = 1e100;
-  result.errors.fill({result.variance(), result.squared_bias(), unlimited, 0});
+  result.errors.fill({result.variance(), result.squared_bias(), unlimited});
   const auto [cosine, sine] = principal_axis(q);
   result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
   q = turn(q, cosine, sine);
