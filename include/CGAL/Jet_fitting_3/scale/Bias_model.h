@@ -221,23 +221,31 @@ inline Comparisons patch_means(const std::vector<const Comparisons*>& members, c
   return means;
 }
 
+/// How samples lie around the place of a fit.
+enum class Disks
+{
+  whole,
+  uneven, ///< denser on one side
+  cut_off ///< at borders
+};
+
 /// The model for derivatives of the given order from what a patch says, by nonnegative least squares; every comparison
 /// counts with its standard error or half its size, whichever is more. Free are the variances of every other order
 /// (disks do not see the others), which are the geometric means of their neighbors. An analytic surface's terms fall
-/// about as a power of the order: where comparisons are silent this gives the least that is assumed. Where disks are
-/// not whole, as at borders, comparisons also tell how many times these means the variances of the others are.
+/// about as a power of the order: where comparisons are silent this gives the least that is assumed, and but for
+/// borders what is expected. Where disks are not whole, comparisons also tell how many times these means the variances
+/// of the others are.
 /// \param own the variance of the order's own terms
-/// \param are_whole whether disks are
 class Bias_fit
 {
 public:
-  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own, bool are_whole = true)
-    : m_means(means), m_ladder(ladder), m_order(order), m_are_whole(are_whole)
+  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own, Disks disks = Disks::whole)
+    : m_means(means), m_ladder(ladder), m_order(order), m_disks(disks)
   {
     m_model.terms[order] = own;
     start();
     for (int round = 0; round < 5; ++round) improve();
-    if (!are_whole) scale_odd_terms();
+    if (m_disks != Disks::whole) scale_odd_terms();
     m_model.terms[order] = 0; // is no bias
     bound();
   }
@@ -281,18 +289,35 @@ private:
           a[i][k] += w * c.terms[m_order + 2 + 2 * i] * c.terms[m_order + 2 + 2 * k];
       }
     }
+    if (m_disks != Disks::cut_off) add_expected(a, y);
     const auto x = nonnegative_solution(a, y);
     Of_orders& terms = m_model.terms;
-    for (std::size_t i = 0, k = m_order + 2; k <= highest_order; ++i, k += 2) {
-      const double least = i > 0 && terms[k - 4] > 0 ? terms[k - 2] * terms[k - 2] / terms[k - 4] : 0;
-      terms[k] = std::max(x[i], i > 0 ? 0.1 * least : 0.);
-    }
+    for (std::size_t i = 0, k = m_order + 2; k <= highest_order; ++i, k += 2)
+      terms[k] = std::max(x[i], i > 0 ? 0.1 * expected(k) : 0.);
     for (std::size_t k = m_order + 2; k <= highest_order; k += 2) {
-      if (!m_are_whole && !(terms[k] > 0)) terms[k] = 0.1 * between(k);
+      if (m_disks != Disks::whole && !(terms[k] > 0)) terms[k] = 0.1 * between(k);
       terms[k - 1] = std::sqrt(terms[k] * terms[k - 2]);
     }
     const std::size_t k = highest_order; // the last may have a neighbor on one side only
     if ((k - m_order) % 2 == 1) terms[k] = terms[k - 2] > 0 ? terms[k - 1] * terms[k - 1] / terms[k - 2] : 0;
+  }
+
+  // Of order k, as two orders before the terms have fallen to those of the order between.
+  double expected(std::size_t k) const
+  {
+    const Of_orders& terms = m_model.terms;
+    return terms[k - 4] > 0 ? terms[k - 2] * terms[k - 2] / terms[k - 4] : 0;
+  }
+
+  // As if it had been seen, to twice its size.
+  void add_expected(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& y) const
+  {
+    for (std::size_t i = 1, k = m_order + 4; k <= highest_order; ++i, k += 2) {
+      const double e = expected(k), size = 2 * std::max(e, m_model.terms[k]), w = 1 / (size * size);
+      if (!(e > 0 && a[i][i] > 0 && std::isfinite(w))) continue;
+      a[i][i] += w;
+      y[i] += w * e;
+    }
   }
 
   // The geometric mean of the term of two orders less and the next that there is, for their orders. The terms of a
@@ -341,7 +366,7 @@ private:
   const Comparisons& m_means;
   const Ladder& m_ladder;
   std::size_t m_order;
-  bool m_are_whole;
+  Disks m_disks;
   Bias_model m_model;
 };
 

@@ -68,7 +68,6 @@ class Second_order_choice
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
   static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
   static constexpr double far = 16;                           // square, in standard deviations
-  static constexpr double border = 1.6;                       // so far beside, in units, disks are not whole
   static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
 
 public:
@@ -312,7 +311,14 @@ private:
       size += m_places[near[k].second].own_size / double(count);
     }
     const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / center.unit, targets[target]);
-    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), center.beside < border * center.unit).model();
+    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), disks_at(center)).model();
+  }
+
+  // By how far the middle of three rings lies beside the vertex.
+  static Disks disks_at(const Whereabouts& center)
+  {
+    if (center.beside < 1.6 * center.unit) return Disks::whole;
+    return center.beside < 8 * center.unit ? Disks::uneven : Disks::cut_off;
   }
 
   void compare_components(Walker<Neighbors>& walker, Place& place) const
