@@ -390,6 +390,68 @@ void outliers(bool normals)
   check_ge(rms(jets::Loss::least_squares), 1.5 * without, "errors if they are data");
 }
 
+// z = .15 sin(3 x), where the third-order coefficient across the waves is the derivative of the curvature by length,
+// and the others are 0.
+struct Waves
+{
+  std::vector<Oriented> points;
+  std::vector<double> third_order;
+
+  explicit Waves(double noise)
+  {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::normal_distribution<double> normal(0, noise);
+    for (int i = 0; i < 3000; ++i) {
+      const double x = uniform(random), y = uniform(random), h1 = .45 * std::cos(3 * x), h2 = -1.35 * std::sin(3 * x),
+                   h3 = -4.05 * std::cos(3 * x), square = 1 + h1 * h1;
+      third_order.push_back((h3 * square - 3 * h1 * h2 * h2) / (square * square * square));
+      const double e = normal(random), f = normal(random);
+      points.emplace_back(Kernel::Point_3(x + e, y + f, .15 * std::sin(3 * x) + normal(random)),
+                          Kernel::Vector_3(-h1 + 10 * normal(random), 10 * normal(random), 1));
+    }
+  }
+
+  template <class Neighborhood>
+  double rms_error(const Neighborhood& neighborhood, std::size_t degree, bool with_normals) const
+  {
+    jets::Options options;
+    options.use_normals = with_normals;
+    std::vector<Form> forms;
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < points.size(); i += 10) some.push_back(i);
+    const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                        .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
+                        .degree_fitting(degree)
+                        .degree_monge(3);
+    CGAL::estimate_point_monge_forms(points, some, neighborhood, std::back_inserter(forms), np, options);
+    double sum = 0;
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      if (forms[k].coefficients().empty()) return 1e300;
+      const bool first = std::abs(forms[k].principal_curvatures(0)) > std::abs(forms[k].principal_curvatures(1));
+      double b[4];
+      for (std::size_t j = 0; j < 4; ++j) b[j] = forms[k].third_order_coefficients(first ? j : 3 - j);
+      sum += std::pow(std::abs(b[0]) - std::abs(third_order[some[k]]), 2) + 3 * b[1] * b[1] + 3 * b[2] * b[2] +
+             b[3] * b[3];
+    }
+    return std::sqrt(sum / double(some.size()));
+  }
+};
+
+// The third order has a choice of its own, which is about as good as the best fixed one.
+void third_order(double noise, bool with_normals)
+{
+  const Waves waves(noise);
+  double best = 1e300;
+  for (const double radius : {.2, .3, .4, .5, .6})
+    for (const std::size_t degree : {3, 4, 5})
+      best = std::min(best, waves.rms_error(jets::within_radius(radius), degree, with_normals));
+  const double error = waves.rms_error(jets::automatic(), 6, with_normals);
+  std::cout << "third order, noise " << noise << (with_normals ? ", normals" : "") << ": " << error << ", best fixed "
+            << best << std::endl;
+  check_le(error, 1.2 * best, "error of the third order over that of the best fixed neighborhood");
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -422,6 +484,8 @@ int main()
   lines_of_points();
   highest_degree();
   for (const bool normals : {false, true}) outliers(normals);
+  for (const double noise : {.003, .01})
+    for (const bool with_normals : {false, true}) third_order(noise, with_normals);
   misuse();
   return result();
 }

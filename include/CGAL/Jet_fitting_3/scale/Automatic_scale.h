@@ -74,6 +74,15 @@ public:
   /// The radii among which was chosen.
   const Ladder& ladder(const Point_scale& scale) const { return m_ladders[scale.level]; }
 
+  /// The subsample.
+  Indices learned() const
+  {
+    Indices result;
+    for (std::size_t i = 0; i < m_learned.size(); ++i)
+      if (m_learned[i] != none) result.push_back(i);
+    return result;
+  }
+
   /// The choice at point i; from positions alone that of the nearest point of the subsample, with the fits of point i,
   /// unless they are much worse. May be called by several threads, with lists of indices of their own, which hold the
   /// neighbors within at least the largest chosen radius afterwards, and some farther ones.

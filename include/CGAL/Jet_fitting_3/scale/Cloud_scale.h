@@ -9,14 +9,20 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
+#include <CGAL/Jet_fitting_3/scale/Fits_to_balls.h>
+#include <CGAL/Jet_fitting_3/scale/Order_choice.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/steps/monge_coefficients.h>
 #include <CGAL/Jet_fitting_3/values/Monge_coefficients.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -31,7 +37,8 @@ struct Estimate_at_scale
   Basis_3<double> monge_axes;              ///< d1, d2, n, in world axes; n to the side of the normals if there are any
   Monge_coefficients<double> coefficients; ///< in the unit of the points
   std::array<double, 2> curvature_errors;  ///< standard errors of k1, k2, bias included
-  bool is_determined = true;               ///< by the samples, if there are enough; else there is no form
+  std::array<double, 2> third_order_errors{}; ///< of b0 and b3, as estimated
+  bool is_determined = true;                  ///< by the samples, if there are enough; else there is no form
 };
 
 /// \ingroup PkgJetFitting3Choice
@@ -42,12 +49,20 @@ class Cloud_scale
 public:
   /// \param cloud best of a size near 1
   /// \param within, for_each, noise, highest_choice see Automatic_scale
+  /// \param order the highest that is asked for; order 3 has a choice of its own, and
+  ///        without normals order 4
+  /// \param highest_of_orders the highest degree that may be chosen for these
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
+              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
+              std::size_t order = 2, std::size_t highest_of_orders = averaging::highest_degree)
     : m_cloud(cloud), m_automatic(cloud, within, for_each, noise, highest_choice)
-  {}
+  {
+    if (order > 2)
+      learn_higher_orders(within, for_each, std::min<std::size_t>(order, cloud.has_normals() ? 3 : 4),
+                          highest_of_orders);
+  }
 
   /// Of the whole cloud.
   const Noise& noise() const { return m_automatic.noise(); }
@@ -63,11 +78,16 @@ public:
     e.is_determined = e.choice.has_neighbors;
     if (!e.is_determined) return e;
     const Local_frame& frame = e.choice.frame;
-    const std::optional<Jet<double>> found =
-        jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(e.choice), solver);
+    const std::vector<averaging::Order_estimate> higher = higher_orders(i, order, e.choice);
+    std::optional<Jet<double>> found =
+        jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(e.choice), solver, 2 + higher.size());
     e.is_determined = found.has_value();
     if (!found) return e;
-    const Jet<double>& jet = *found;
+    Jet<double>& jet = *found;
+    for (std::size_t k = 0; k < higher.size(); ++k)
+      std::copy(higher[k].derivatives.begin(), higher[k].derivatives.end(), jet.part(k + 3));
+    if (!higher.empty()) e.third_order_errors = {higher[0].error(0), higher[0].error(3)};
+    if (jet(2, 0) < jet(0, 2)) std::swap(e.third_order_errors[0], e.third_order_errors[1]);
     const Monge_basis<double> monge = monge_basis(jet, frame.axes);
     e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
@@ -77,8 +97,57 @@ public:
   }
 
 private:
+  using Fits = Fits_to_balls<Within>;
+
+  template <class For_each>
+  void learn_higher_orders(const Within& within, const For_each& for_each, std::size_t order, std::size_t highest)
+  {
+    const Indices learned = m_automatic.learned();
+    Indices some;
+    for (const std::size_t k : averaging::spread_vertices(learned.size(), averaging::most_places))
+      some.push_back(learned[k]);
+    std::vector<Point_scale> choices(some.size());
+    for_each(some.size(), [&](std::size_t k) {
+      Indices near;
+      choices[k] = m_automatic(some[k], near);
+    });
+    std::vector<Point_on_ladder> places;
+    std::map<std::size_t, averaging::Local_frame> frames;
+    for (std::size_t k = 0; k < some.size(); ++k)
+      if (choices[k].is_chosen) {
+        places.push_back({some[k], &m_automatic.ladder(choices[k])});
+        frames[some[k]] = {choices[k].frame.origin, choices[k].frame.axes};
+      }
+    if (places.empty()) return;
+    const auto frame_at = [&](Indices&, const Point_on_ladder& place) { return frames.at(place.index); };
+    const auto each = [&](std::size_t count, const auto& make_body) {
+      for_each(count, [&](std::size_t k) { make_body()(k); });
+    };
+    std::vector<double> radii{1};
+    while (radii.size() < least_rungs) radii.push_back(ladder_step * radii.back());
+    for (std::size_t d = 3; d <= order; ++d)
+      m_higher.emplace_back(Fits(m_cloud, within, d), radii, highest, places, frame_at, each);
+  }
+
+  // Those above 2, as far as they are asked for and can be told.
+  std::vector<averaging::Order_estimate> higher_orders(std::size_t i, std::size_t order,
+                                                       const Point_scale& choice) const
+  {
+    std::vector<averaging::Order_estimate> result;
+    Indices near;
+    for (std::size_t k = 0; choice.is_chosen && k < m_higher.size() && k + 3 <= order; ++k) {
+      result.push_back(
+          m_higher[k].estimate(near, {i, &m_automatic.ladder(choice)}, {choice.frame.origin, choice.frame.axes}));
+      if (result.back().exists()) continue;
+      result.pop_back();
+      break;
+    }
+    return result;
+  }
+
   Cloud m_cloud;
   Automatic_scale<Within> m_automatic;
+  std::vector<averaging::Order_choice<Fits>> m_higher; // order 3, and 4
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -9,10 +9,12 @@
 
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -82,6 +84,44 @@ enum class Height
   potential
 };
 
+/// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
+/// \param slopes of the samples, or null
+inline void add_samples(const Vector_3<double>* samples, const Slope* slopes, std::size_t count, std::size_t degree,
+                        bool with_rows, Moments& moments)
+{
+  const auto add = [&](auto highest, auto order) {
+    moments.add<highest, order>(samples, count);
+    if (slopes) moments.add_slopes<highest>(samples, slopes, count);
+  };
+  using std::integral_constant;
+  constexpr std::size_t h = highest_degree;
+  if (with_rows) add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, h + highest_order>());
+  else if (degree <= 2) add(integral_constant<std::size_t, 2>(), integral_constant<std::size_t, 4>());
+  else if (degree <= 4) add(integral_constant<std::size_t, 4>(), integral_constant<std::size_t, 8>());
+  else add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, 2 * h>());
+}
+
+/// The candidates for derivatives of an order that are selected, from samples in a frame and a unit.
+/// \param slopes of all places, or none
+/// \param ends ends[j] is where shell j ends
+/// \param moments without samples
+inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, const std::vector<Slope>& slopes,
+                                 const std::vector<std::size_t>& ends, Moments moments, const Ladder& ladder,
+                                 std::size_t order, const Selection& selection, bool with_rows)
+{
+  Candidates result(ladder.size());
+  for (std::size_t j = 0, k = 0; j < ends.size(); ++j) {
+    if (!selection.has(ladder, j)) continue; // its samples are added with those of the next
+    add_samples(places.data() + k, slopes.empty() ? nullptr : slopes.data() + k, ends[j] - k, selection.degree(j),
+                with_rows, moments);
+    k = ends[j];
+    if (j > 0 && k - ends[j - 1] < 3) continue; // the same fit again
+    for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
+      if (selection[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order, with_rows);
+  }
+  return result;
+}
+
 /// Fits to disks, or ellipses, around a vertex.
 template <class Neighbors>
 class Disk_fitter
@@ -100,7 +140,6 @@ public:
   Candidates operator()(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, double ratio,
                         const Ladder& ladder, std::size_t order, const Selection& selection, bool with_rows) const
   {
-    Candidates result(ladder.size());
     typename Walker<Neighbors>::Disk& disk = walker.disk(i, frame, ladder.radii, selection.shells(),
                                                          {m_surface.units[i], ratio, least_cosine(), least, m_most});
     std::vector<Slope> slopes;
@@ -113,18 +152,7 @@ public:
       moments.slope_weight = m_surface.given->weights[i];
       moments.are_of_potentials = m_height == Height::potential;
     }
-    for (std::size_t j = 0, k = 0; j < disk.ends.size(); ++j) {
-      if (!selection.has(ladder, j)) continue; // its samples are added with those of the next
-      const std::size_t count = disk.ends[j] - k;
-      add(disk.places.data() + k, count, selection.degree(j), with_rows, moments);
-      if (m_surface.given)
-        add_slopes(disk.places.data() + k, slopes.data() + k, count, selection.degree(j), with_rows, moments);
-      k = disk.ends[j];
-      if (j > 0 && k - disk.ends[j - 1] < 3) continue; // the same fit again
-      for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
-        if (selection[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order, with_rows);
-    }
-    return result;
+    return fits_to_shells(disk.places, slopes, disk.ends, moments, ladder, order, selection, with_rows);
   }
 
 private:
@@ -132,25 +160,6 @@ private:
 
   // Potentials are polynomials of low degree farther.
   double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : 0.3; }
-
-  // What fits of this degree need; for rows, the effects of higher terms as well.
-  static void add(const Vector_3<double>* samples, std::size_t count, std::size_t degree, bool with_rows,
-                  Moments& moments)
-  {
-    if (with_rows) moments.add<highest_degree, highest_degree + highest_order>(samples, count);
-    else if (degree <= 2) moments.add<2>(samples, count);
-    else if (degree <= 4) moments.add<4>(samples, count);
-    else moments.add<highest_degree>(samples, count);
-  }
-
-  static void add_slopes(const Vector_3<double>* samples, const Slope* slopes, std::size_t count, std::size_t degree,
-                         bool with_rows, Moments& moments)
-  {
-    if (with_rows) moments.add_slopes<highest_degree>(samples, slopes, count);
-    else if (degree <= 2) moments.add_slopes<2>(samples, slopes, count);
-    else if (degree <= 4) moments.add_slopes<4>(samples, slopes, count);
-    else moments.add_slopes<highest_degree>(samples, slopes, count);
-  }
 
   // Those that the normals tell; of the potential, their tangential parts. Leaves out vertices of which they tell none.
   std::vector<Slope> slopes_of(typename Walker<Neighbors>::Disk& disk, const Local_frame& frame) const
@@ -175,6 +184,44 @@ private:
   const Surface_points<Neighbors>& m_surface;
   std::size_t m_most;
   Height m_height;
+};
+
+/// Fits to disks for Order_choice.
+template <class Neighbors>
+class Fits_to_disks
+{
+public:
+  using Vertex = std::size_t;
+  using Worker = Walker<Neighbors>;
+
+  /// \param squares_of_noise as for Surface_choice
+  /// \param height potentials, which have the surface's derivatives to order 3, are taken for that order only
+  Fits_to_disks(const Surface_points<Neighbors>& surface, const std::vector<double>& squares_of_noise,
+                std::size_t order, Height height)
+    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_order(order),
+      m_fitter(surface, most_samples, order == 3 ? height : Height::z)
+  {}
+
+  Worker worker() const { return Worker(m_surface); }
+  std::size_t order() const { return m_order; }
+  Whereabouts place(Vertex i) const { return {m_surface.points[i], m_surface.units[i], 0, m_surface.stretch(i)}; }
+  double square_of_noise(Vertex i) const { return m_squares_of_noise[i]; }
+  /// Those of the fits.
+  Basis_3<double> axes(Vertex i, const Basis_3<double>& axes) const { return round_axes(m_surface, i, axes); }
+
+  Candidates operator()(Worker& walker, Vertex i, const Local_frame& frame, const Ladder& ladder,
+                        const Selection& selection, bool with_rows) const
+  {
+    return m_fitter(walker, i, frame, 1, ladder, m_order, selection, with_rows);
+  }
+
+private:
+  static constexpr std::size_t most_samples = 2200;
+
+  const Surface_points<Neighbors>& m_surface;
+  const std::vector<double>& m_squares_of_noise;
+  std::size_t m_order;
+  Disk_fitter<Neighbors> m_fitter;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -125,13 +125,20 @@ public:
   template <std::size_t degree>
   std::vector<Shell_sums> sums(const Shells& shells) const
   {
-    std::vector<Vector_3<double>> sorted(shells.neighbors.size());
-    for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = m_neighbors[shells.neighbors[k]];
+    const std::vector<Vector_3<double>> sorted = places(shells);
     std::vector<Shell_sums> result(m_balls.size());
     for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
       if (j > 0) result[j] = result[j - 1];
       result[j].add<degree>(sorted.data() + begin, shells.ends[j] - begin);
     }
+    return result;
+  }
+
+  /// Of the neighbors, in lengths of the unit of the balls.
+  std::vector<Vector_3<double>> places(const Shells& shells) const
+  {
+    std::vector<Vector_3<double>> result(shells.neighbors.size());
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] = m_neighbors[shells.neighbors[k]];
     return result;
   }
 

@@ -26,6 +26,14 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// The radii for orders 3 and 4 end here, in units.
 constexpr double largest_radius = 24;
 
+/// Two units to that.
+inline std::vector<double> radii_for_orders()
+{
+  std::vector<double> radii;
+  for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);
+  return radii;
+}
+
 /// All derivatives of one order at a vertex as means of several fits, in a given frame.
 struct Order_estimate
 {
@@ -39,49 +47,48 @@ struct Order_estimate
 
 /// Chooses radii and degrees for derivatives of order 3 or 4 in principal axes, each for itself, as Surface_choice does
 /// for order 2, but in disks only.
-template <class Neighbors>
+template <class Fits>
 class Order_choice
 {
-  static constexpr std::size_t patch = 30, most_samples = 2200;
+  static constexpr std::size_t patch = 30;
 
 public:
-  using Surface = Surface_points<Neighbors>;
+  using Vertex = typename Fits::Vertex;
+  using Worker = typename Fits::Worker;
 
-  /// \param squares_of_noise as for Surface_choice; radii are 2 to largest_radius units
+  /// \param fits as Fits_to_disks
+  /// \param radii in units
   /// \param highest degree of a candidate, at least the order
-  /// \param height potentials, which have the surface's derivatives to order 3, are taken for that order only
-  /// \param frame_at frame_at(walker, i) has principal axes, as those of Second_order_estimate
+  /// \param vertices the places
+  /// \param frame_at frame_at(worker, i) has principal axes, as those of Second_order_estimate
   /// \param for_each as for Surface_choice
   template <class Frame_at, class For_each>
-  Order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, std::size_t order,
-               std::size_t highest, Height height, const Frame_at& frame_at, const For_each& for_each)
-    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_order(order),
-      m_fitter(surface, most_samples, order == 3 ? height : Height::z)
+  Order_choice(const Fits& fits, std::vector<double> radii, std::size_t highest, const std::vector<Vertex>& vertices,
+               const Frame_at& frame_at, const For_each& for_each)
+    : m_fits(fits), m_order(fits.order())
   {
-    std::vector<double> radii;
-    for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);
     std::vector<std::size_t> degrees;
-    for (std::size_t d = order; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
+    for (std::size_t d = m_order; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
     m_ladder = ladder_of(std::move(radii), std::move(degrees));
-    for (std::size_t j = 0; j <= order; ++j) m_targets.push_back({j, j + 1});
-    m_targets.push_back({0, order + 1});
-    learn(frame_at, for_each);
+    for (std::size_t j = 0; j <= m_order; ++j) m_targets.push_back({j, j + 1});
+    m_targets.push_back({0, m_order + 1});
+    learn(vertices, frame_at, for_each);
   }
 
   const Ladder& ladder() const { return m_ladder; }
 
   /// At any vertex.
-  Order_estimate estimate(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
+  Order_estimate estimate(Worker& worker, Vertex i, const Local_frame& frame) const
   {
-    const Place& place = m_places[nearest_place(m_points, place_of(i))];
-    const Local_frame round{frame.origin, round_axes(m_surface, i, frame.axes)};
-    Candidates candidates = m_fitter(walker, i, round, 1, m_ladder, m_order, place.selection, false);
+    const Whereabouts own = m_fits.place(i);
+    const Place& place = m_places[nearest_place(m_points, own)];
+    const Local_frame round{frame.origin, m_fits.axes(i, frame.axes)};
+    Candidates candidates = m_fits(worker, i, round, m_ladder, place.selection, false);
     if (is_like(place, candidates))
       return in_axes(frame.axes, round.axes,
-                     mean(candidates, place.choices, is_reversed(place, frame.axes.x), m_surface.units[i]));
-    candidates = all_candidates(walker, i, frame);
-    return in_axes(frame.axes, round.axes,
-                   mean(candidates, choose_at(i, candidates, frame.axes.x), false, m_surface.units[i]));
+                     mean(candidates, place.choices, is_reversed(place, frame.axes.x), own.unit));
+    candidates = all_candidates(worker, i, frame);
+    return in_axes(frame.axes, round.axes, mean(candidates, choose_at(i, candidates, frame.axes.x), false, own.unit));
   }
 
 private:
@@ -99,22 +106,16 @@ private:
 
   std::size_t all() const { return m_order + 1; }
 
-  Whereabouts place_of(std::size_t i) const
-  {
-    return {m_surface.points[i], m_surface.units[i], 0, m_surface.stretch(i)};
-  }
-
   template <class Frame_at, class For_each>
-  void learn(const Frame_at& frame_at, const For_each& for_each)
+  void learn(const std::vector<Vertex>& vertices, const Frame_at& frame_at, const For_each& for_each)
   {
-    const std::vector<std::size_t> vertices = spread_over_scales(m_surface.units, most_places);
-    for (const std::size_t i : vertices) m_points.push_back(place_of(i));
+    for (const Vertex& i : vertices) m_points.push_back(m_fits.place(i));
     m_places.resize(vertices.size());
     for_each(vertices.size(), [&] {
-      return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
-        const Local_frame frame = frame_at(walker, vertices[k]);
+      return [&, worker = m_fits.worker()](std::size_t k) mutable {
+        const Local_frame frame = frame_at(worker, vertices[k]);
         m_places[k].axis = frame.axes.x;
-        look_at(m_places[k], all_candidates(walker, vertices[k], frame), m_squares_of_noise[vertices[k]]);
+        look_at(m_places[k], all_candidates(worker, vertices[k], frame), m_fits.square_of_noise(vertices[k]));
       };
     });
     for_each(vertices.size(), [&] {
@@ -129,10 +130,10 @@ private:
     }
   }
 
-  Candidates all_candidates(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame) const
+  Candidates all_candidates(Worker& worker, Vertex i, const Local_frame& frame) const
   {
-    const Local_frame round{frame.origin, round_axes(m_surface, i, frame.axes)};
-    return m_fitter(walker, i, round, 1, m_ladder, m_order, Selection(m_ladder, m_ladder.radii.size()), true);
+    const Local_frame round{frame.origin, m_fits.axes(i, frame.axes)};
+    return m_fits(worker, i, round, m_ladder, Selection(m_ladder, m_ladder.radii.size()), true);
   }
 
   void look_at(Place& place, Candidates candidates, double square_of_noise) const
@@ -165,15 +166,15 @@ private:
   }
 
   // By what the places around it say, and by its own candidates.
-  Choices choose_at(std::size_t i, const Candidates& candidates, const Vector_3<double>& axis) const
+  Choices choose_at(Vertex i, const Candidates& candidates, const Vector_3<double>& axis) const
   {
-    const Near near = nearest_places(m_points, place_of(i), patch + 1);
+    const Near near = nearest_places(m_points, m_fits.place(i), patch + 1);
     const Bias_model of_all = model(near, all(), axis);
     Choices choices;
     for (std::size_t j = 0; j < all(); ++j) {
-      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_squares_of_noise[i]);
+      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_fits.square_of_noise(i));
       choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_ladder, m_targets[j],
-                                            m_squares_of_noise[i]));
+                                            m_fits.square_of_noise(i)));
     }
     return choices;
   }
@@ -240,12 +241,10 @@ private:
     return result;
   }
 
-  const Surface& m_surface;
-  const std::vector<double>& m_squares_of_noise;
+  Fits m_fits;
   std::size_t m_order;
   std::vector<Target> m_targets; // the components, and all
   Ladder m_ladder;
-  Disk_fitter<Neighbors> m_fitter;
   std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;
 };

@@ -98,32 +98,32 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 }
 
 /// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
-/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones from a fit with
-/// the ball of J_xx, since no choice is made for them. Orders up to 2 are those of the choice where that has the
-/// digits, else fits are made anew, by orthogonalization; equal choices share a fit.
+/// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones, unless they are
+/// known, from a fit with the ball of J_xx. Orders up to 2 are those of the choice where that has the digits, else fits
+/// are made anew, by orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
+/// \param known 2, or the highest order that is: orders 3 to that are left 0
 /// \return nothing where samples do not determine it: where they lie on a line
 template <class Solver>
 std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale,
-                                        std::size_t order, const Ladder& ladder, Solver& solver)
+                                        std::size_t order, const Ladder& ladder, Solver& solver, std::size_t known = 2)
 {
   std::vector<std::pair<Choice, Jet<double>>> fits;
   bool is_determined = true;
   const auto fitted = [&](const Choice& c) -> const Jet<double>& {
-    for (const auto& known : fits)
-      if (known.first.shape == c.shape && known.first.rung == c.rung && known.first.degree == c.degree)
-        return known.second;
+    for (const auto& made : fits)
+      if (made.first.shape == c.shape && made.first.rung == c.rung && made.first.degree == c.degree) return made.second;
     const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, c, ladder.noise, solver).fit;
     is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree);
     fits.emplace_back(c, fit.jet);
     return fits.back().second;
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
-  if (order > 2) {
+  if (order > known) {
     const std::size_t degree = std::max(order, ladder.highest_choice);
     const Jet_fit<double> fit = fit_of_higher_degree(cloud, near, scale, degree, ladder, solver);
     is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
-    for (std::size_t k = 3; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
+    for (std::size_t k = known + 1; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
   }
   if (scale.is_chosen && noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius)) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));

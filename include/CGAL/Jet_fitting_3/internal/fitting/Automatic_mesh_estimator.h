@@ -71,6 +71,7 @@ template <class Kernel>
 class Learned_surface
 {
   using Edges = Unit_surface::Edges;
+  using Fits = averaging::Fits_to_disks<Edges>;
 
 public:
   using Walker = Unit_surface::Walker;
@@ -94,8 +95,10 @@ public:
   {
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
-      m_higher.emplace_back(m_surface.surface(), m_squares_of_noise, order, degrees.highest, m_choice.height(),
-                            frame_at, For_each_with_body<ConcurrencyTag>());
+      m_higher.emplace_back(Fits(m_surface.surface(), m_squares_of_noise, order, m_choice.height()),
+                            averaging::radii_for_orders(), degrees.highest,
+                            averaging::spread_over_scales(m_surface.surface().units, averaging::most_places), frame_at,
+                            For_each_with_body<ConcurrencyTag>());
   }
 
   Walker walker() const { return Walker(m_surface.surface()); }
@@ -191,7 +194,7 @@ private:
   averaging::Surface_noise m_noise;
   std::vector<double> m_squares_of_noise;
   averaging::Surface_choice<Edges> m_choice;
-  std::vector<averaging::Order_choice<Edges>> m_higher; // orders 3 and 4
+  std::vector<averaging::Order_choice<Fits>> m_higher; // orders 3 and 4
 };
 
 /// Estimates forms as means of fits at radii and degrees that are chosen for each vertex. A row is a node of the

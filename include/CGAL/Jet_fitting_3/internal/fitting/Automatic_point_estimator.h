@@ -45,11 +45,11 @@ class Learned_scale
 
 public:
   template <class ConcurrencyTag>
-  Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, std::size_t highest_degree,
+  Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, const Automatic_degrees& degrees,
                 const Options& options)
     : m_cloud(tables, normals),
       m_scale(cloud<ConcurrencyTag>(options), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
-              (std::min)(highest_degree, scale::highest_degree))
+              (std::min)(degrees.highest, scale::highest_degree), degrees.order, degrees.highest)
   {}
 
   const auto& scale() const { return m_scale; }
@@ -116,7 +116,7 @@ public:
   {
     check_options_for_automatic(options, true);
     check_degree_for_automatic(degrees.highest);
-    m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, degrees.highest, options);
+    m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, degrees, options);
   }
 
   bool reports_quality() const { return true; }
@@ -179,6 +179,7 @@ private:
     chosen.bias = std::sqrt((x.squared_bias + y.squared_bias) / 2);
     chosen.standard_deviation = std::sqrt((x.variance + y.variance) / 2);
     chosen.curvature_errors = e.curvature_errors;
+    chosen.third_order_errors = e.third_order_errors;
     return chosen;
   }
 

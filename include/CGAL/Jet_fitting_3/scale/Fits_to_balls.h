@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_FITS_TO_BALLS_H
+#define CGAL_JET_FITTING_3_SCALE_FITS_TO_BALLS_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
+#include <CGAL/Jet_fitting_3/scale/Local_ladder.h>
+#include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// A point of a cloud and the ladder of its density.
+struct Point_on_ladder
+{
+  std::size_t index;
+  const Ladder* ladder;
+};
+
+/// Fits to the points within balls for averaging::Order_choice, as Fits_to_disks to those of a surface. The unit is the
+/// radius of the smallest candidate.
+template <class Within>
+class Fits_to_balls
+{
+public:
+  using Vertex = Point_on_ladder;
+  using Worker = Indices;
+
+  /// \param order 3, or 4 without normals: potentials of the Gauss map are a surface's to third order
+  Fits_to_balls(const Cloud& cloud, const Within& within, std::size_t order)
+    : m_cloud(cloud), m_within(within), m_order(order)
+  {}
+
+  Worker worker() const { return {}; }
+  std::size_t order() const { return m_order; }
+  averaging::Whereabouts place(const Vertex& v) const { return {m_cloud.points[v.index], unit(*v.ladder)}; }
+  double square_of_noise(const Vertex& v) const
+  {
+    return averaging::variance_in_units(v.ladder->noise.position, unit(*v.ladder));
+  }
+  Basis_3<double> axes(const Vertex&, const Basis_3<double>& axes) const { return axes; }
+
+  averaging::Candidates operator()(Worker& near, const Vertex& v, const averaging::Local_frame& frame,
+                                   const averaging::Ladder& radii, const averaging::Selection& selection,
+                                   bool with_rows) const
+  {
+    if (selection.shells() == 0) return averaging::Candidates(radii.size());
+    const Ladder& ladder = *v.ladder;
+    const std::size_t rungs = std::min(ladder.first + selection.shells(), ladder.radii.size());
+    m_within(v.index, reach(m_cloud, ladder, rungs), near);
+    const Local_frame own{frame.origin, frame.axes};
+    const Samples samples = m_cloud.has_normals() ? samples_with_normals(near, own, ladder, rungs)
+                                                  : samples_over_surface(near, own, ladder, rungs);
+    averaging::Moments moments;
+    if (m_cloud.has_normals()) {
+      const Row_weights weights(m_cloud, ladder.noise, unit(ladder));
+      moments.slope_weight = weights.slope / weights.height;
+      moments.are_of_potentials = true;
+    }
+    return averaging::fits_to_shells(samples.places, samples.slopes, samples.ends, moments, radii, m_order, selection,
+                                     with_rows);
+  }
+
+private:
+  struct Samples
+  {
+    std::vector<Vector_3<double>> places;
+    std::vector<averaging::Slope> slopes;
+    std::vector<std::size_t> ends;
+  };
+
+  static double unit(const Ladder& ladder) { return ladder.radii[ladder.first]; }
+
+  Samples samples_over_surface(const Indices& near, const Local_frame& frame, const Ladder& ladder,
+                               std::size_t rungs) const
+  {
+    std::vector<Look> looks = look_at_all(rungs);
+    const Neighbors_in_balls neighbors(m_cloud, near, frame, ladder, looks);
+    const Balls& balls = neighbors.balls();
+    const Row_weights weights(m_cloud, ladder.noise, balls.unit());
+    const std::vector<Second_order> low =
+        fits_of_degree_2(neighbors.template sums<2>(neighbors.in_balls()), weights, balls);
+    find_surfaces(looks, low, ladder);
+    const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
+    Samples samples;
+    samples.places = neighbors.places(shells);
+    for (Vector_3<double>& p : samples.places) p = (balls.unit() / unit(ladder)) * p;
+    samples.ends.assign(shells.ends.begin() + std::ptrdiff_t(ladder.first), shells.ends.end());
+    return samples;
+  }
+
+  Samples samples_with_normals(const Indices& near, const Local_frame& frame, const Ladder& ladder,
+                               std::size_t rungs) const
+  {
+    constexpr double least_cosine = 0.3;
+    const double factor = normal_factor(ladder.noise), per_unit = 1 / unit(ladder);
+    const Balls balls(ladder, look_at_all(rungs));
+    std::vector<std::vector<std::size_t>> shells(rungs);
+    for (const std::size_t i : near) {
+      const Vector_3<double> d = m_cloud.points[i] - frame.origin;
+      const std::size_t j = balls.first(dot(d, d) / (balls.unit() * balls.unit()));
+      if (j < rungs && m_cloud.is_sample(i)) shells[std::max(j, ladder.first)].push_back(i);
+    }
+    Samples samples;
+    for (std::size_t j = ladder.first; j < rungs; ++j) {
+      for (const std::size_t i : shells[j]) {
+        const Vector_3<double> n = frame.axes.in(m_cloud.normals[i]);
+        if (!(n.z > least_cosine)) continue;
+        Vector_3<double> p = per_unit * frame.axes.in(m_cloud.points[i] - frame.origin);
+        p.z *= (1 + std::min(1., factor * n.z)) / 2;
+        samples.places.push_back(p);
+        samples.slopes.push_back({-factor * n.x, -factor * n.y});
+      }
+      samples.ends.push_back(samples.places.size());
+    }
+    return samples;
+  }
+
+  Cloud m_cloud;
+  Within m_within;
+  std::size_t m_order;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_FITS_TO_BALLS_H
