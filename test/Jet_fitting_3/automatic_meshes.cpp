@@ -30,16 +30,16 @@ struct Noisy_mesh
   std::vector<double> mean_curvature;
   Mesh::Property_map<Vertex, Form> forms;
 
-  Noisy_mesh(const Analytic_mesh& exact, double noise)
-    : Noisy_mesh(exact, std::vector<double>(exact.points.size(), noise))
+  Noisy_mesh(const Analytic_mesh& exact, double noise, unsigned seed = 5)
+    : Noisy_mesh(exact, std::vector<double>(exact.points.size(), noise), seed)
   {}
 
   // Of each point.
-  Noisy_mesh(const Analytic_mesh& exact, const std::vector<double>& noise)
+  Noisy_mesh(const Analytic_mesh& exact, const std::vector<double>& noise, unsigned seed = 5)
   {
     build(exact, mesh);
     forms = mesh.add_property_map<Vertex, Form>("v:form").first;
-    std::mt19937 random(5);
+    std::mt19937 random(seed);
     for (const Vertex v : mesh.vertices()) {
       std::normal_distribution<double> normal(0, noise[v]);
       Kernel::Point_3& p = mesh.point(v);
@@ -174,14 +174,21 @@ void parts_of_two_sizes(double size)
   }
   std::vector<double> noise(both.points.size(), 0.005);
   std::fill(noise.begin() + std::ptrdiff_t(vertices), noise.end(), 0.005 * size);
-  Noisy_mesh mesh(both, noise), first(one, 0.005), second(few, 0.005);
-  for (std::size_t i = 0; i < few.points.size(); ++i)
-    mesh.mean_curvature[vertices + i] = second.mean_curvature[i] / size;
-  for (Noisy_mesh* m : {&mesh, &first, &second})
-    check_equal(m->estimate(jets::automatic(), 6).estimated, m->mesh.number_of_vertices(), "all are estimated");
-  check_le(mesh.rms_error(0, vertices), 1.1 * first.rms_error(), "beside a part " + text(size) + " times as large");
-  check_le(size * mesh.rms_error(vertices, both.points.size()), 1.2 * second.rms_error(),
-           "the part that is " + text(size) + " times as large");
+  // by chance, a single noise has errors that differ by a tenth with the places where the bias is learned
+  double beside_few = 0, beside_one = 0, one_alone = 0, few_alone = 0;
+  for (const unsigned seed : {5u, 6u, 7u}) {
+    Noisy_mesh mesh(both, noise, seed), first(one, 0.005, seed), second(few, 0.005, seed);
+    for (std::size_t i = 0; i < few.points.size(); ++i)
+      mesh.mean_curvature[vertices + i] = second.mean_curvature[i] / size;
+    for (Noisy_mesh* m : {&mesh, &first, &second})
+      check_equal(m->estimate(jets::automatic(), 6).estimated, m->mesh.number_of_vertices(), "all are estimated");
+    beside_few += std::pow(mesh.rms_error(0, vertices), 2);
+    beside_one += std::pow(size * mesh.rms_error(vertices, both.points.size()), 2);
+    one_alone += std::pow(first.rms_error(), 2);
+    few_alone += std::pow(second.rms_error(), 2);
+  }
+  check_le(std::sqrt(beside_few / one_alone), 1.1, "beside a part " + text(size) + " times as large");
+  check_le(std::sqrt(beside_one / few_alone), 1.2, "the part that is " + text(size) + " times as large");
 }
 
 // Coefficients that do not change their sign with the directions, away from umbilics: |b0|, |b3|, c0, c4.
