@@ -154,6 +154,7 @@ inline Input read_mesh(const std::string& file)
   std::vector<Vector> normals;
   if (!read_soup(file, points, faces, normals))
     throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+  if (normals.size() != points.size()) normals.clear();
   Input input;
   const std::string why_no_faces = why_not_faces(points.size(), faces);
   if (!why_no_faces.empty()) throw Input_error(file, why_no_faces);

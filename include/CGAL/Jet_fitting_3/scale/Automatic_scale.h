@@ -246,10 +246,10 @@ private:
     std::vector<double> leans(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
-      const double radius = ladder.radii[std::min(ladder.axes, ends[k] - 1)];
+      const std::size_t rungs = std::min(ladder.axes + 1, ends[k]);
       Indices near;
-      m_within(sample[k], radius + (m_cloud.has_normals() ? 0 : 5 * ladder.noise.position), near);
-      leans[k] = lean(m_cloud, near, ladders[k].frame, radius);
+      m_within(sample[k], reach(m_cloud, ladder, rungs), near);
+      leans[k] = lean(m_cloud, near, ladders[k].frame, ladder.radii[rungs - 1]);
     });
     return leans;
   }

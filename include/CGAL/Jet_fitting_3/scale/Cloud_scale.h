@@ -49,8 +49,7 @@ class Cloud_scale
 public:
   /// \param cloud best of a size near 1
   /// \param within, for_each, noise, highest_choice see Automatic_scale
-  /// \param order the highest that is asked for; order 3 has a choice of its own, and
-  ///        without normals order 4
+  /// \param order the highest that is asked for; order 3 has a choice of its own, and without normals order 4
   /// \param highest_of_orders the highest degree that may be chosen for these
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>

@@ -158,8 +158,7 @@ public:
 private:
   static constexpr std::size_t least = 20; // degree 4 is possible
 
-  // Potentials are polynomials of low degree farther.
-  double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : 0.3; }
+  double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : least_cosine_of_potentials; }
 
   // Those that the normals tell; of the potential, their tangential parts. Leaves out vertices of which they tell none.
   std::vector<Slope> slopes_of(typename Walker<Neighbors>::Disk& disk, const Local_frame& frame) const

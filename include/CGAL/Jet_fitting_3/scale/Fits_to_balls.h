@@ -103,24 +103,20 @@ private:
   Samples samples_with_normals(const Indices& near, const Local_frame& frame, const Ladder& ladder,
                                std::size_t rungs) const
   {
-    constexpr double least_cosine = 0.3;
-    const double factor = normal_factor(ladder.noise), per_unit = 1 / unit(ladder);
+    const double factor = normal_factor(ladder.noise);
     const Balls balls(ladder, look_at_all(rungs));
-    std::vector<std::vector<std::size_t>> shells(rungs);
+    std::vector<std::vector<Local_sample>> shells(rungs);
     for (const std::size_t i : near) {
-      const Vector_3<double> d = m_cloud.points[i] - frame.origin;
-      const std::size_t j = balls.first(dot(d, d) / (balls.unit() * balls.unit()));
-      if (j < rungs && m_cloud.is_sample(i)) shells[std::max(j, ladder.first)].push_back(i);
+      const Local_sample s = local_sample(m_cloud, i, frame, 1 / unit(ladder), factor);
+      const std::size_t j = balls.first(s.square / (balls.unit() * balls.unit()));
+      if (j < rungs && s.is_there && dot(m_cloud.normals[i], frame.axes.z) > averaging::least_cosine_of_potentials)
+        shells[std::max(j, ladder.first)].push_back(s);
     }
     Samples samples;
     for (std::size_t j = ladder.first; j < rungs; ++j) {
-      for (const std::size_t i : shells[j]) {
-        const Vector_3<double> n = frame.axes.in(m_cloud.normals[i]);
-        if (!(n.z > least_cosine)) continue;
-        Vector_3<double> p = per_unit * frame.axes.in(m_cloud.points[i] - frame.origin);
-        p.z *= (1 + std::min(1., factor * n.z)) / 2;
-        samples.places.push_back(p);
-        samples.slopes.push_back({-factor * n.x, -factor * n.y});
+      for (const Local_sample& s : shells[j]) {
+        samples.places.push_back({s.u, s.v, s.height});
+        samples.slopes.push_back({s.slope_u, s.slope_v});
       }
       samples.ends.push_back(samples.places.size());
     }

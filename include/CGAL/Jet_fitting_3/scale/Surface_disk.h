@@ -136,6 +136,9 @@ Basis_3<double> axes_around(const Surface_points<Neighbors>& surface, std::size_
 /// As far as the surface turns by 60 degrees heights over the tangent plane are polynomials of low degree.
 constexpr double least_cosine_of_heights = 0.5;
 
+/// Potentials are polynomials of low degree farther.
+constexpr double least_cosine_of_potentials = 0.3;
+
 /// Collects vertices around one; keeps its tables from call to call. One a thread.
 template <class Neighbors>
 class Walker
