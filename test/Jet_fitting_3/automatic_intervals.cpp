@@ -166,6 +166,10 @@ int main()
           ++cases;
           good += held >= 0.9;
         }
+        // where samples are few for the noise, fits of degree 4 show a bias that is that of noise along the surface
+        const bool is_round = surface.name == "sphere" || surface.name == "cylinder";
+        if (is_round && !with_normals && noise < 0.01)
+          check_le(found.growth(), 1.15, name + ": growth where noise is all there is");
         if (surface.name == "plane") check_le(found.growth(), 1.14, name + ": growth where noise is all there is");
       }
   std::cout << good << " of " << cases << " cases hold it in at least 90 %\n";

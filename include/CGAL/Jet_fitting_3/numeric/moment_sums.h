@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace CGAL {
@@ -70,10 +71,25 @@ struct Sums
   }
 };
 
-// Two packs at a time, so that each sum is touched half as often.
-template <std::size_t order, std::size_t degree>
-void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<degree>& of_heights)
+// z, z^2, z (x^2 + y^2 + z^2), the first so many.
+template <std::size_t rights>
+struct Rights
 {
+  Lanes of[rights];
+
+  explicit Rights(const Samples& s)
+  {
+    of[0] = s.z;
+    if constexpr (rights > 1) of[1] = s.z * s.z;
+    if constexpr (rights > 2) of[2] = s.z * (s.x * s.x + s.y * s.y + of[1]);
+  }
+};
+
+// Two packs at a time, so that each sum is touched half as often.
+template <std::size_t order, std::size_t degree, std::size_t rights>
+void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<degree> (&of_rights)[rights])
+{
+  const Rights<rights> rights_of_a(a), rights_of_b(b);
   Lanes powers_of_a[order + 1], powers_of_b[order + 1];
   powers_of_a[0] = a.weight;
   powers_of_b[0] = b.weight;
@@ -85,10 +101,10 @@ void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<
   for (std::size_t j = 0; j <= order; ++j) {
     for (std::size_t i = 0; i + j <= order; ++i)
       of_terms.of[j][i] = of_terms.of[j][i] + (of_a * powers_of_a[i] + of_b * powers_of_b[i]);
-    if (j <= degree) {
-      const Lanes height_of_a = of_a * a.z, height_of_b = of_b * b.z;
+    for (std::size_t r = 0; j <= degree && r < rights; ++r) {
+      const Lanes right_of_a = of_a * rights_of_a.of[r], right_of_b = of_b * rights_of_b.of[r];
       for (std::size_t i = 0; i + j <= degree; ++i)
-        of_heights.of[j][i] = of_heights.of[j][i] + (height_of_a * powers_of_a[i] + height_of_b * powers_of_b[i]);
+        of_rights[r].of[j][i] = of_rights[r].of[j][i] + (right_of_a * powers_of_a[i] + right_of_b * powers_of_b[i]);
     }
     of_a = of_a * a.y;
     of_b = of_b * b.y;
@@ -97,20 +113,29 @@ void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<
 
 } // namespace moment_sums
 
-/// Adds what samples contribute to the sums of x^i y^j, up to an order, and of x^i y^j z, up to a degree. They are in
-/// the order 1, x, y, x^2, xy, y^2, ...
-template <std::size_t order, std::size_t degree>
-void add_moments(const Vector_3<double>* samples, std::size_t count, double* terms, double* heights)
+/// Adds what samples contribute to the sums of x^i y^j, up to an order, and, up to a degree, of x^i y^j times the first
+/// so many of z, z^2, z (x^2 + y^2 + z^2). They are in the order 1, x, y, x^2, xy, y^2, ...
+/// \param sums_of_rights where they are, one for each of these
+template <std::size_t order, std::size_t degree, std::size_t rights>
+void add_moments(const Vector_3<double>* samples, std::size_t count, double* terms,
+                 const std::array<double*, rights>& sums_of_rights)
 {
   using namespace moment_sums;
   Sums<order> of_terms;
-  Sums<degree> of_heights;
+  Sums<degree> of_rights[rights];
   for (std::size_t k = 0; k < count; k += 2 * lanes) {
     const Samples a(samples, k, count), b(samples, k + lanes, count);
-    add_powers(a, b, of_terms, of_heights);
+    add_powers(a, b, of_terms, of_rights);
   }
   of_terms.add_to(terms);
-  of_heights.add_to(heights);
+  for (std::size_t r = 0; r < rights; ++r) of_rights[r].add_to(sums_of_rights[r]);
+}
+
+/// With heights alone.
+template <std::size_t order, std::size_t degree>
+void add_moments(const Vector_3<double>* samples, std::size_t count, double* terms, double* heights)
+{
+  add_moments<order, degree, 1>(samples, count, terms, {heights});
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

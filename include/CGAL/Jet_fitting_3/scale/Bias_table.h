@@ -32,11 +32,12 @@ constexpr double variance_factor = 1.2; ///< noise along the surface, and of the
 constexpr double clip = 400;            ///< a difference counts for so many variances at most
 constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
 constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
-constexpr double bias_factor = 20;      ///< of a squared bias in an interval: it is known to a factor of 4 or so
+constexpr double bias_factor = 40;      ///< of a squared bias in an interval: it is known to a factor of 6 or so
 constexpr double hidden = 0.25;         ///< what a bias may add to the variance in an interval, without evidence
 constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
 constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
 constexpr double lean = 0.1;    ///< difference of leans from which on places tell little of each other
+constexpr double flat_risk = 4; ///< by how much heights have to be better than round heights: not by chance
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -58,9 +59,9 @@ using Bias_in_shape = std::array<std::vector<Squared_bias>, 3>;
 /// Of one target.
 struct Bias_of_target
 {
-  Bias_in_shape in_balls, in_ellipses; ///< the latter along the direction of the derivative, see long_shape()
+  Bias_in_shape in_balls, in_others; ///< the latter are of other_shape()
 
-  const Bias_in_shape& in(Shape shape) const { return shape == Shape::ball ? in_balls : in_ellipses; }
+  const Bias_in_shape& in(Shape shape) const { return shape == Shape::ball ? in_balls : in_others; }
 };
 
 /// Of all targets.
@@ -71,6 +72,12 @@ using Bias_table = std::array<Bias_of_target, number_of_targets>;
 constexpr Shape long_shape(std::size_t target)
 {
   return target == 1 ? Shape::along_x : target == 3 ? Shape::along_y : Shape::ball;
+}
+
+/// The same, or what it is from positions alone.
+constexpr Shape other_shape(std::size_t target, const Ladder& ladder)
+{
+  return ladder.with_normals ? long_shape(target) : Shape::flat_ball;
 }
 
 /// Whether a degree is a candidate for a target: odd degrees add nothing to second derivatives.
@@ -157,7 +164,7 @@ private:
   double places_apart(const Fit& fit) const
   {
     const double ratio = m_ladder.patch() / m_ladder.radii[fit.rung];
-    return 2 * ratio * ratio * (fit.shape == Shape::ball ? 1 : elongation);
+    return 2 * ratio * ratio * (is_ellipse(fit.shape) ? elongation : 1);
   }
 
   static const Turned_second_order& found(const Local_ladder& local, const Fit& fit)
@@ -286,15 +293,15 @@ inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladd
 /// The terms of a smooth surface fall as powers: where degree 2 errs by k (r / L)^2, one expects k (r / L)^4 of
 /// degree 4, in all directions, unless more is seen. The difference of two balls alone tells it with the noise of the
 /// smaller one. Not with normals: on spheres and cylinders series of the Gauss map end.
-inline void expect_falling_terms(Bias_table& table, double squared_curvature)
+inline void expect_falling_terms(Bias_table& table, Bias_in_shape Bias_of_target::*shape, double squared_curvature)
 {
   if (!(squared_curvature > 0)) return;
-  const auto of_degree_2 = [&table](std::size_t target, std::size_t j) { return table[target].in_balls[0][j].value; };
-  for (std::size_t j = 0; j < table[1].in_balls[0].size(); ++j) {
+  const auto of_degree_2 = [&](std::size_t target, std::size_t j) { return (table[target].*shape)[0][j].value; };
+  for (std::size_t j = 0; j < (table[1].*shape)[0].size(); ++j) {
     const double most = std::max({of_degree_2(1, j), of_degree_2(2, j), of_degree_2(3, j)});
     const double expected = most * most / squared_curvature;
     for (std::size_t target = 1; target < number_of_targets; ++target) {
-      Squared_bias& b = table[target].in_balls[2][j];
+      Squared_bias& b = (table[target].*shape)[2][j];
       b.value = std::min(b.value, std::max(b.seen, expected));
     }
   }
@@ -327,10 +334,12 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
   Bias_table table;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     table[target].in_balls = bias_in_shape(patch, ladder, target, Shape::ball, end);
-    if (ladder.with_normals && long_shape(target) != Shape::ball)
-      table[target].in_ellipses = bias_in_shape(patch, ladder, target, long_shape(target), end);
+    if (other_shape(target, ladder) != Shape::ball)
+      table[target].in_others = bias_in_shape(patch, ladder, target, other_shape(target, ladder), end);
   }
-  if (!ladder.with_normals) expect_falling_terms(table, squared_curvature(patch, ladder));
+  if (!ladder.with_normals)
+    for (const auto shape : {&Bias_of_target::in_balls, &Bias_of_target::in_others})
+      expect_falling_terms(table, shape, squared_curvature(patch, ladder));
   return table;
 }
 

@@ -51,8 +51,11 @@ enum class Shape
 {
   ball,
   along_x,
-  along_y
+  along_y,
+  flat_ball ///< a ball from positions alone, where heights are fitted; in the others they are round heights
 };
+
+constexpr bool is_ellipse(Shape shape) { return shape == Shape::along_x || shape == Shape::along_y; }
 
 /// The number of an ellipse, along x or along y, in what has one thing for each.
 constexpr std::size_t number_of_ellipse(Shape shape) { return shape == Shape::along_x ? 0 : 1; }
@@ -65,7 +68,7 @@ constexpr double elongation = 3;
 inline double squared_radius(Shape shape, double squared_distance, double u, double v)
 {
   constexpr double across = elongation * elongation - 1;
-  if (shape == Shape::ball) return squared_distance;
+  if (!is_ellipse(shape)) return squared_distance;
   return squared_distance + across * (shape == Shape::along_x ? v * v : u * u);
 }
 

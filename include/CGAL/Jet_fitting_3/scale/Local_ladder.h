@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_cut.h>
+#include <CGAL/Jet_fitting_3/scale/round_fit.h>
 
 #include <algorithm>
 #include <array>
@@ -41,10 +42,11 @@ struct Local_ladder
   Local_frame frame;
   std::vector<Rung> candidates;               ///< in balls, one a radius
   std::array<std::vector<Rung>, 2> elongated; ///< in ellipses along x and along y, with normals; or none
+  std::vector<Rung> flat;                     ///< to heights in balls, from positions alone; or none
 
   const std::vector<Rung>& of_shape(Shape shape) const
   {
-    return shape == Shape::ball ? candidates : elongated[number_of_ellipse(shape)];
+    return shape == Shape::ball ? candidates : shape == Shape::flat_ball ? flat : elongated[number_of_ellipse(shape)];
   }
 
   std::vector<Look> looks; ///< from positions alone
@@ -123,10 +125,10 @@ public:
 
   /// Of each ball.
   template <std::size_t degree>
-  std::vector<Shell_sums> sums(const Shells& shells) const
+  std::vector<Round_sums> sums(const Shells& shells) const
   {
     const std::vector<Vector_3<double>> sorted = places(shells);
-    std::vector<Shell_sums> result(m_balls.size());
+    std::vector<Round_sums> result(m_balls.size());
     for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
       if (j > 0) result[j] = result[j - 1];
       result[j].add<degree>(sorted.data() + begin, shells.ends[j] - begin);
@@ -176,13 +178,12 @@ private:
   Indices m_indices; // of the neighbors
 };
 
-/// To each of the balls.
-inline std::vector<Second_order> fits_of_degree_2(const std::vector<Shell_sums>& sums, const Row_weights& weights,
+/// To heights in each of the balls.
+inline std::vector<Second_order> fits_of_degree_2(const std::vector<Round_sums>& sums, const Row_weights& weights,
                                                   const Balls& balls)
 {
   std::vector<Second_order> result;
-  for (std::size_t j = 0; j < balls.size(); ++j)
-    result.push_back(second_order(Nested_fit(sums[j], weights.height, 0, 2), 2, balls.unit()));
+  for (const Round_sums& of_ball : sums) result.push_back(Round_fit(of_ball, weights.height, 2).flat(2, balls.unit()));
   return result;
 }
 
@@ -193,32 +194,44 @@ struct Fits_of_radius
   std::array<Second_order, 3> fits;
 };
 
+/// To round heights, and to heights.
+struct Fits_to_positions
+{
+  std::vector<Fits_of_radius> round, flat;
+};
+
 /// From positions alone.
 /// \param looks surfaces that are to be found are found
 /// \param over_surface see Local_ladder
-inline std::vector<Fits_of_radius> fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                                     const Ladder& ladder, std::vector<Look>& looks,
-                                                     Indices& over_surface)
+inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                           const Ladder& ladder, std::vector<Look>& looks, Indices& over_surface)
 {
   const Neighbors_in_balls neighbors(cloud, near, frame, ladder, looks);
   const Balls& balls = neighbors.balls();
   const Row_weights weights(cloud, ladder.noise, balls.unit());
-  const std::vector<Shell_sums> of_balls = neighbors.sums<2>(neighbors.in_balls());
+  const std::vector<Round_sums> of_balls = neighbors.sums<2>(neighbors.in_balls());
   const std::vector<Second_order> low = fits_of_degree_2(of_balls, weights, balls);
   find_surfaces(looks, low, ladder);
   const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
   over_surface = neighbors.indices(shells);
-  const std::vector<Shell_sums> sums = neighbors.sums<highest_degree>(shells);
-  std::vector<Fits_of_radius> result(looks.size());
+  const std::vector<Round_sums> sums = neighbors.sums<highest_degree>(shells);
+  Fits_to_positions result;
   for (std::size_t j = 0; j < looks.size(); ++j) {
-    result[j].sizes[0] = of_balls[j].size();
-    result[j].fits[0] = low[j];
+    Fits_of_radius flat, round;
+    const auto add = [&](Round_fit fit, std::size_t d) {
+      flat.fits[d - 2] = with_misfit_as_noise(fit.flat(d, balls.unit()));
+      round.fits[d - 2] = with_misfit_as_noise(fit.of_degree(d, balls.unit()));
+    };
+    flat.sizes[0] = of_balls[j].size();
+    add(Round_fit(of_balls[j], weights.height, 2), 2);
     if (looks[j].is_cut) {
-      const Nested_fit fit(sums[j], weights.height, 0);
-      result[j].sizes[1] = result[j].sizes[2] = sums[j].size();
-      for (std::size_t d = 3; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, balls.unit());
+      const Round_fit fit(sums[j], weights.height, highest_degree);
+      flat.sizes[1] = flat.sizes[2] = sums[j].size();
+      for (std::size_t d = 3; d <= highest_degree; ++d) add(fit, d);
     }
-    for (Second_order& s : result[j].fits) s = with_misfit_as_noise(s);
+    round.sizes = flat.sizes;
+    result.flat.push_back(flat);
+    result.round.push_back(round);
   }
   return result;
 }
@@ -319,14 +332,18 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
 {
   Local_ladder result;
   result.looks = wanted.looks.empty() ? look_at_all(wanted.balls.end) : wanted.looks;
-  const std::vector<Fits_of_radius> fits =
-      fits_to_positions(cloud, near, frame, ladder, result.looks, result.over_surface);
-  const Turn turn = axis ? turn_towards(*axis, frame)
-                         : turn_to_principal_direction(fits[std::min(ladder.axes, fits.size() - 1)].fits[0]);
+  const Fits_to_positions fits = fits_to_positions(cloud, near, frame, ladder, result.looks, result.over_surface);
+  const Turn turn = axis
+                        ? turn_towards(*axis, frame)
+                        : turn_to_principal_direction(fits.round[std::min(ladder.axes, fits.round.size() - 1)].fits[0]);
   result.frame = turned(frame, turn);
-  result.candidates.resize(result.looks.back().rung + 1);
-  const std::vector<Rung> rungs = turned(fits, turn.cosine, turn.sine);
-  for (std::size_t j = 0; j < rungs.size(); ++j) result.candidates[result.looks[j].rung] = rungs[j];
+  const auto put = [&](const std::vector<Fits_of_radius>& of_looks, std::vector<Rung>& to) {
+    to.resize(result.looks.back().rung + 1);
+    const std::vector<Rung> rungs = turned(of_looks, turn.cosine, turn.sine);
+    for (std::size_t j = 0; j < rungs.size(); ++j) to[result.looks[j].rung] = rungs[j];
+  };
+  put(fits.round, result.candidates);
+  put(fits.flat, result.flat);
   return result;
 }
 

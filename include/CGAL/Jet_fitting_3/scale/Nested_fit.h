@@ -30,6 +30,9 @@ class Nested_fit
   using Row = std::array<double, width>;
 
 public:
+  /// One entry for each monomial.
+  using Right_side = std::array<double, n>;
+
   /// \param height_weight 1 / s^2, in the unit of the sums; 0 leaves out the rows of heights, with them the constant
   /// \param slope_weight 1 / s_n^2, or 0
   /// \param degree the highest that is asked for
@@ -53,6 +56,24 @@ public:
     double sum = 0;
     for (std::size_t k = a; k < number_of_jet_coefficients(degree); ++k) sum += m_inverse[k][a] * m_right[k];
     return m_scale[a] * sum;
+  }
+
+  /// What the fit has in place of this right side.
+  Right_side reduced(const Right_side& of_monomials) const
+  {
+    Right_side result{};
+    for (std::size_t k = m_first; k < m_rank; ++k)
+      for (std::size_t a = m_first; a <= k; ++a) result[k] += m_inverse[k][a] * m_scale[a] * of_monomials[a];
+    return result;
+  }
+
+  /// Other samples at the same places.
+  /// \param right_side reduced()
+  /// \param squares the sum of their squares, weighted
+  void set_right_side(const Right_side& right_side, double squares)
+  {
+    m_right = right_side;
+    m_squares = squares;
   }
 
   /// The covariances of the coefficients of u, v, u^2, uv, v^2.
@@ -181,7 +202,7 @@ private:
   std::size_t m_first, m_rank;
   double m_rows, m_squares; // of the right side
   double m_of_heights;      // by how much the noise of heights exceeds that of their weight
-  std::array<double, n> m_scale{}, m_right{};
+  Right_side m_scale{}, m_right{};
   std::array<Row, n> m_factor{}, m_inverse{}; // an upper triangle, a lower one
 };
 

@@ -33,12 +33,13 @@ struct Choice
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
   std::size_t neighbors = 0;             ///< of the fit
+  Roundness round{};                     ///< of the heights that are fitted
 };
 
 /// Of the disk that has the area of the neighborhood.
 inline double radius_of_area(const Choice& choice)
 {
-  return choice.shape == Shape::ball ? choice.radius : choice.radius / std::sqrt(elongation);
+  return is_ellipse(choice.shape) ? choice.radius / std::sqrt(elongation) : choice.radius;
 }
 
 /// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all
@@ -82,8 +83,9 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);
       const Squared_bias& b = bias.in(shape)[degree - 2][j];
-      if (!(b.value + v < least)) continue;
-      least = b.value + v;
+      const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
+      if (!(risk < least)) continue;
+      least = risk;
       choice = {ladder.radii[j],
                 shape,
                 j,
@@ -93,7 +95,8 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
                 b.most,
                 b.evidence,
                 fit.excess,
-                std::size_t(rungs[j].size(degree))};
+                std::size_t(rungs[j].size(degree)),
+                fit.round};
     }
   return least;
 }
@@ -122,14 +125,13 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   Point_scale scale;
   scale.frame = local.frame;
   scale.over_surface = local.over_surface;
-  scale.is_chosen = choose(local, table[0], Shape::ball, 0, ladder, unknown, scale.normal) < unknown;
-  for (std::size_t target = 1; target < number_of_targets; ++target) {
-    Choice& choice = scale.curvatures[target - 1];
+  for (std::size_t target = 0; target < number_of_targets; ++target) {
+    Choice& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
     const double least = choose(local, table[target], Shape::ball, target, ladder, unknown, choice);
     scale.is_chosen = scale.is_chosen && least < unknown;
     if (target == 1) scale.in_ball = choice;
-    if (long_shape(target) != Shape::ball)
-      choose(local, table[target], long_shape(target), target, ladder, least, choice);
+    if (other_shape(target, ladder) != Shape::ball)
+      choose(local, table[target], other_shape(target, ladder), target, ladder, least, choice);
   }
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;
@@ -172,7 +174,7 @@ inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder,
   wanted.balls = {ladder.first, std::min(end, std::max(scale.normal.rung, scale.in_ball.rung) + 2)};
   for (const Choice& c : scale.curvatures) {
     const std::size_t above = std::min(end, c.rung + 2);
-    if (c.shape == Shape::ball) wanted.balls.end = std::max(wanted.balls.end, above);
+    if (!is_ellipse(c.shape)) wanted.balls.end = std::max(wanted.balls.end, above);
     else wanted.elongated[number_of_ellipse(c.shape)] = {std::max(ladder.first + 2, c.rung) - 2, above};
   }
   return wanted;

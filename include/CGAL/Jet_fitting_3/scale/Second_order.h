@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
 
 #include <algorithm>
@@ -21,15 +22,56 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Round heights over a tangent plane, z - (k1 + k2) z^2 / 2 + k1 k2 z |p|^2 / 4 at the place p = (u, v, z), are a
+/// polynomial of degree 2 on planes, spheres, and cylinders, and along all principal sections that are circles. They
+/// have the slopes and second derivatives of heights, and on spheres and cylinders the same noise everywhere. k1 and k2
+/// are those that the fit finds.
+struct Roundness
+{
+  double sum = 0, product = 0; ///< of k1 and k2
+
+  /// The factors of z, z^2, and z |p|^2.
+  std::array<double, 3> factors() const { return {1, -sum / 2, product / 4}; }
+
+  double height(const Vector_3<double>& p) const { return p.z * (1 - sum * p.z / 2 + product * dot(p, p) / 4); }
+};
+
+/// How the jet of the surface at the origin follows from that of its round heights where they are not 0 there: the
+/// height, and how much less, then by which factor more are slopes and second derivatives, of xx and yy. Products of
+/// slopes are left out.
+struct Over_origin
+{
+  double height, less, factor;
+
+  Over_origin(double round_height, const Roundness& round)
+    : height(round_height * (1 + round.sum * round_height / 2)), less(round.product * height / 2),
+      factor(1 / (1 - round.sum * height))
+  {}
+};
+
 /// What a candidate says of the slopes and second derivatives at the origin: (J_x, J_y, J_xx, sqrt(2) J_xy, J_yy). The
 /// squares of the first two, and of the last three, add up to the same in all axes.
 struct Second_order
 {
   double height = 0; ///< at the origin
+  Roundness round;   ///< of the round heights that were fitted; 0 if that was to heights
   double excess = 1; ///< of noise in the samples over that of the covariance
   std::array<double, 5> value{};
   std::array<std::array<double, 5>, 5> covariance{};
 };
+
+/// Values times factors, and the lengths of a fit in a unit.
+inline Second_order scaled(Second_order s, const std::array<double, 5>& factors, double unit)
+{
+  s.height *= unit;
+  s.round.sum /= unit;
+  s.round.product /= unit * unit;
+  for (std::size_t a = 0; a < 5; ++a) {
+    s.value[a] *= factors[a];
+    for (std::size_t b = 0; b < 5; ++b) s.covariance[a][b] *= factors[a] * factors[b];
+  }
+  return s;
+}
 
 /// From a fit, with the unit in which its lengths were measured. Covariances are infinite where the samples do not
 /// determine the jet.
@@ -40,15 +82,11 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
     for (auto& row : result.covariance) row.fill(std::numeric_limits<double>::infinity());
     return result;
   }
-  result.height = unit * fit.coefficient(0, degree);
+  result.height = fit.coefficient(0, degree);
   result.excess = fit.excess(degree);
-  const double factor[] = {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit};
+  for (std::size_t a = 0; a < 5; ++a) result.value[a] = fit.coefficient(a + 1, degree);
   result.covariance = fit.covariance(degree);
-  for (std::size_t a = 0; a < 5; ++a) {
-    result.value[a] = factor[a] * fit.coefficient(a + 1, degree);
-    for (std::size_t b = 0; b < 5; ++b) result.covariance[a][b] *= factor[a] * factor[b];
-  }
-  return result;
+  return scaled(result, {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit}, unit);
 }
 
 /// With a variance that contains misfit: what a fit leaves is noise of its estimates, because samples are spread by
@@ -66,6 +104,7 @@ inline Second_order with_misfit_as_noise(Second_order s)
 struct Turned_second_order
 {
   double height, excess;
+  Roundness round;
   std::array<double, 5> value;
   double slopes_variance;         ///< of both slopes together
   std::array<double, 3> variance; ///< of the second derivatives
@@ -79,6 +118,7 @@ inline Turned_second_order turned(const Second_order& s, double cosine, double s
   Turned_second_order t;
   t.height = s.height;
   t.excess = s.excess;
+  t.round = s.round;
   t.value[0] = cosine * s.value[0] + sine * s.value[1];
   t.value[1] = cosine * s.value[1] - sine * s.value[0];
   t.slopes_variance = s.covariance[0][0] + s.covariance[1][1];

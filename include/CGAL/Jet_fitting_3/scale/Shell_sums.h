@@ -76,6 +76,28 @@ struct Shell_sums
   }
 };
 
+/// What fits of heights and of round heights need, see round_fit(): sums for z, z^2, and z (u^2 + v^2 + z^2), of which
+/// those for z are the heights.
+struct Round_sums : Shell_sums
+{
+  std::array<double, number_of_unknowns> of_squares{}, of_cubes{};
+  std::array<std::array<double, 3>, 3> products{}; ///< of each two of the three
+
+  /// Neighbors without normals, see Shell_sums.
+  template <std::size_t degree>
+  void add(const Vector_3<double>* neighbors, std::size_t count)
+  {
+    numeric::add_moments<2 * degree, degree, 3>(neighbors, count, moments.data(),
+                                                {heights.data(), of_squares.data(), of_cubes.data()});
+    for (std::size_t k = 0; k < count; ++k) {
+      const double z = neighbors[k].z, rights[] = {z, z * z, z * dot(neighbors[k], neighbors[k])};
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = a; b < 3; ++b) products[a][b] += rights[a] * rights[b];
+    }
+    squared_heights = products[0][0];
+  }
+};
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace scale
 } // namespace Jet_fitting

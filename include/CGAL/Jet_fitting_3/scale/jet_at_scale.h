@@ -32,17 +32,30 @@ struct Fit_at_scale
   double unit;
 };
 
+/// The jet of the surface from that of its round heights, in orders up to 2.
+inline void set_jet_of_surface(Jet<double>& jet, const Roundness& round)
+{
+  const Over_origin at(jet(0, 0), round);
+  jet(0, 0) = at.height;
+  jet(2, 0) -= at.less;
+  jet(0, 2) -= at.less;
+  for (std::size_t k = 1; k <= 2; ++k)
+    for (std::size_t i = 0; i <= k; ++i) jet.part(k)[i] *= at.factor;
+}
+
 /// \param inside the samples
 /// \param radius what they are within, about
+/// \param round of the heights, without normals: orders above 2 are of round heights, too
 template <class Solver>
 Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Local_frame& frame, double radius,
-                            std::size_t degree, const Noise& noise, Solver& solver)
+                            std::size_t degree, const Noise& noise, Solver& solver, const Roundness& round = {})
 {
   const double unit = numeric::power_of_two_above(radius), per_unit = 1 / unit;
   Oriented_samples<double> samples;
   samples.resize(inside.size());
   for (std::size_t k = 0; k < inside.size(); ++k) {
-    samples.set(k, per_unit * (cloud.points[inside[k]] - frame.origin));
+    const Vector_3<double> p = cloud.points[inside[k]] - frame.origin, in_frame = frame.axes.in(p);
+    samples.set(k, per_unit * (p + (round.height(in_frame) - in_frame.z) * frame.axes.z));
     if (cloud.has_normals()) samples.set_normal(k, cloud.normals[inside[k]]);
   }
   Fit_at_scale result;
@@ -52,6 +65,7 @@ Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Loc
     result.fit = fit_gauss_map(samples, frame.axes, degree, of_data, solver).fit;
   } else result.fit = fit_jet(samples, frame.axes, degree, solver);
   measure_in_smaller_unit(result.fit.jet, unit);
+  set_jet_of_surface(result.fit.jet, round);
   return result;
 }
 
@@ -76,7 +90,7 @@ Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Point_
                            const Noise& noise, Solver& solver)
 {
   return fit_to_samples(cloud, neighbors_of_choice(cloud, near, scale, choice), scale.frame, choice.radius,
-                        choice.degree, noise, solver);
+                        choice.degree, noise, solver, choice.round);
 }
 
 /// Of a degree for which no choice is made, with the ball of J_xx.
