@@ -117,7 +117,7 @@ void order_of_points()
 }
 
 // The maps, quantiles and counts are those of the qualities; where nothing was chosen there are none. Noise asks
-// for larger balls.
+// for larger balls, where degrees are the same.
 void what_was_chosen()
 {
   double median = 0;
@@ -125,8 +125,8 @@ void what_was_chosen()
     const Cloud cloud = noisy_torus(2000, noise);
     std::vector<Form> forms;
     const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>());
-    const auto summary =
-        CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np);
+    const auto summary = CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                                          np.degree_fitting(4));
     std::vector<double> radii;
     for (std::size_t i = 0; i < forms.size(); ++i) {
       const jets::Chosen_scale scale = summary.quality(i).scale;
@@ -147,6 +147,35 @@ void what_was_chosen()
     check_throws<jets::Invalid_input>([&] { summary.radius_quantile(1.5); }, {"1.5"}, "beyond all");
     const auto fixed = CGAL::estimate_point_monge_forms(cloud.points, jets::nearest(20), std::back_inserter(forms), np);
     check_equal(fixed.radius_quantile(0.5), 0., "nothing chosen, no radius");
+  }
+}
+
+// Without noise higher degrees err by less than a quarter of what degree 4 errs by, and the errors that are told hold
+// that.
+void without_noise()
+{
+  const Cloud cloud = noisy_torus(5000, 0);
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  for (const bool use_normals : {false, true}) {
+    jets::Options options;
+    options.use_normals = use_normals;
+    const auto errors = [&](std::size_t highest) {
+      std::vector<Form> forms;
+      const auto summary = CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                                            np.degree_fitting(highest).degree_monge(2), options);
+      double sum = 0;
+      std::size_t held = 0;
+      for (std::size_t i = 0; i < forms.size(); ++i) {
+        const double error = std::abs(std::abs(forms[i].principal_curvatures(1)) - 1);
+        sum += error * error;
+        held += error <= 1.96 * summary.quality(i).scale.curvature_errors[1];
+        check_true(summary.quality(i).scale.degree <= highest, "no degree above the highest");
+      }
+      check_ge(double(held), .95 * double(forms.size()), "errors that are told hold the truth");
+      return std::sqrt(sum / double(forms.size()));
+    };
+    check_le(errors(8), .25 * errors(4), "error without noise");
   }
 }
 
@@ -474,6 +503,7 @@ int main()
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
   order_of_points();
   what_was_chosen();
+  without_noise();
   degenerate_sets();
   for (const double ratio : {0.3, 0.1, 10.})
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);

@@ -37,11 +37,12 @@ namespace Jet_fitting {
 /// that have 14 vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
-/// any. For a point set degrees go up to 4; coefficients of orders above 2 come from one fit, in the ball that was
-/// chosen for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard deviation
-/// of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures
-/// and, for meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is a status
-/// one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused, but
+/// any. For a point set degrees go up to 4, and where noise, if it is not given, is far below what degree 4 leaves in
+/// the smallest balls, up to 8, with normals to 6; coefficients of orders above 2 come from one fit, in the ball that
+/// was chosen for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard
+/// deviation of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the
+/// curvatures and, for meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is
+/// a status one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused, but
 /// for one: with Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or
 /// whose normal is as far from that fit with use_normals, are outliers (Status_flag::outlier): nobody's neighbors.
 inline Automatic automatic() { return Automatic(); }

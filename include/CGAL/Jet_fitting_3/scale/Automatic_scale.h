@@ -72,7 +72,15 @@ public:
   const Noise& noise() const { return m_noise; }
 
   /// The radii among which was chosen.
-  const Ladder& ladder(const Point_scale& scale) const { return m_ladders[scale.level]; }
+  const Ladder& ladder(const Point_scale& scale) const { return ladder(scale.level); }
+  const Ladder& ladder(std::size_t level) const { return m_ladders[level]; }
+
+  /// The level of density at point i; none where no bias is known. As operator() for threads.
+  std::optional<std::size_t> level(std::size_t i, Indices& near) const
+  {
+    const std::uint32_t learned = nearest_learned(i, near);
+    return learned == none ? std::nullopt : std::optional(m_levels[learned]);
+  }
 
   /// The subsample.
   Indices learned() const

@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
 #include <CGAL/Jet_fitting_3/scale/Fits_to_balls.h>
+#include <CGAL/Jet_fitting_3/scale/High_degrees.h>
 #include <CGAL/Jet_fitting_3/scale/Order_choice.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
@@ -50,14 +51,17 @@ public:
   /// \param cloud best of a size near 1
   /// \param within, for_each, noise, highest_choice see Automatic_scale
   /// \param order the highest that is asked for; order 3 has a choice of its own, and without normals order 4
-  /// \param highest_of_orders the highest degree that may be chosen for these
+  /// \param highest_of_orders the highest degree that may be chosen for these, and where noise is far below the bias of
+  ///        degree 4; not if the noise is given
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
               const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
-              std::size_t order = 2, std::size_t highest_of_orders = averaging::highest_degree)
-    : m_cloud(cloud), m_automatic(cloud, within, for_each, noise, highest_choice)
+              std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
+    : m_cloud(cloud), m_automatic(cloud, within, for_each, noise, highest_choice),
+      m_high(cloud, within, noise ? 0 : highest_of_orders)
   {
+    learn_high_degrees(for_each);
     if (order > 2)
       learn_higher_orders(within, for_each, std::min<std::size_t>(order, cloud.has_normals() ? 3 : 4),
                           highest_of_orders);
@@ -73,7 +77,7 @@ public:
   Estimate_at_scale estimate(std::size_t i, std::size_t order, Solver& solver, Indices& near) const
   {
     Estimate_at_scale e;
-    e.choice = m_automatic(i, near);
+    e.choice = choice_at(i, near, solver);
     e.is_determined = e.choice.has_neighbors;
     if (!e.is_determined) return e;
     const Local_frame& frame = e.choice.frame;
@@ -98,13 +102,39 @@ public:
 private:
   using Fits = Fits_to_balls<Within>;
 
+  // Of high degree where that has been learned to be better; where it is worse than expected the better one.
+  template <class Solver>
+  Point_scale choice_at(std::size_t i, Indices& near, Solver& solver) const
+  {
+    const std::optional<std::size_t> level = m_high.is_used() ? m_automatic.level(i, near) : std::nullopt;
+    const auto* chosen = level ? m_high.near(i, m_automatic.ladder(*level)) : nullptr;
+    if (!chosen) return m_automatic(i, near);
+    const auto high = m_high.choice_at(i, *chosen, m_automatic.ladder(*level), *level, near, solver);
+    if (high && m_high.risk(*high) <= 8 * chosen->risk) return *high;
+    const Point_scale low = m_automatic(i, near);
+    return high && m_high.risk(*high) < m_high.risk(low) ? *high : low;
+  }
+
   template <class For_each>
-  void learn_higher_orders(const Within& within, const For_each& for_each, std::size_t order, std::size_t highest)
+  void learn_high_degrees(const For_each& for_each)
+  {
+    m_high.learn(
+        some_learned(averaging::most_places / 2), [&](std::size_t i, Indices& near) { return m_automatic(i, near); },
+        [&](const Point_scale& choice) -> const Ladder& { return m_automatic.ladder(choice); }, for_each);
+  }
+
+  Indices some_learned(std::size_t most) const
   {
     const Indices learned = m_automatic.learned();
     Indices some;
-    for (const std::size_t k : averaging::spread_vertices(learned.size(), averaging::most_places))
-      some.push_back(learned[k]);
+    for (const std::size_t k : averaging::spread_vertices(learned.size(), most)) some.push_back(learned[k]);
+    return some;
+  }
+
+  template <class For_each>
+  void learn_higher_orders(const Within& within, const For_each& for_each, std::size_t order, std::size_t highest)
+  {
+    const Indices some = some_learned(averaging::most_places);
     std::vector<Point_scale> choices(some.size());
     for_each(some.size(), [&](std::size_t k) {
       Indices near;
@@ -146,6 +176,7 @@ private:
 
   Cloud m_cloud;
   Automatic_scale<Within> m_automatic;
+  High_degrees<Within> m_high;
   std::vector<averaging::Order_choice<Fits>> m_higher; // order 3, and 4
 };
 

@@ -159,8 +159,9 @@ private:
       m_options.point_weights = weights_of_samples(m_tables.samples, m_options.point_weights);
     }
     if constexpr (is_automatic) {
-      const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(
-                                                          (std::max)(m_given.dprime + 1, averaging::highest_degree))};
+      const Automatic_degrees degrees{m_given.dprime,
+                                      m_given.highest_degree(
+                                          (std::max)(m_given.dprime + 1, scale::highest_without_noise(false)))};
       return Automatic_point_estimator<Kernel>(tag, m_tables, m_normals, degrees, m_options);
     } else return row_estimator<may_have_normals>(m_tables.points, m_normals, m_given, m_options);
   }
