@@ -105,7 +105,7 @@ public:
   template <class For_each>
   const Surface& with_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
   {
-    m_planes = averaging::tangent_planes(m_surface, for_each);
+    m_planes = averaging::tangent_planes(m_surface, squares_of_noise, for_each);
     std::vector<int> rounds;
     for (std::size_t i = 0; i < m_planes.size(); ++i) {
       m_normals[i] = m_planes[i].normal;
