@@ -345,9 +345,9 @@ std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface,
   return std::nullopt;
 }
 
-/// Whether planes by degree 4 differ from those by degree 2 by so much more than by noise that noise does not matter: in
-/// the median of some vertices by a hundred standard deviations. All of a surface are of one kind, since a potential
-/// sees how the normals of neighbors err beside each other.
+/// Whether planes by degree 4 differ from those by degree 2 by far more than by noise: in the median of some vertices
+/// by a hundred standard deviations. All of a surface are of one kind, since a potential sees how the normals of
+/// neighbors err beside each other.
 template <class Neighbors>
 bool need_finer_planes(const Surface_points<Neighbors>& surface, const std::vector<Tangent_plane>& planes,
                        const std::vector<double>& squares_of_noise)
