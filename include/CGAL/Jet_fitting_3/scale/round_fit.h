@@ -110,7 +110,7 @@ inline Second_order jet_of_surface(Second_order s)
 {
   const Over_origin at(s.height, s.round);
   s.height = at.height;
-  for (const std::size_t k : {2, 4}) s.value[k] -= at.less;
+  for (const std::size_t k : {std::size_t(2), std::size_t(4)}) s.value[k] -= at.less;
   for (double& v : s.value) v *= at.factor;
   return s;
 }
