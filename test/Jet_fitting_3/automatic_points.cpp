@@ -303,6 +303,41 @@ void unknown_normals()
   }
 }
 
+// Where normals are known in a part of a surface only, forms end with it, and holes in that part are filled.
+void normals_known_in_a_part(double noise)
+{
+  const auto distance = [](const Oriented& p) { return std::hypot(p.first.x() - 1.5, p.first.y() - 1.5); };
+  const auto estimate = [&](const auto& is_known, const auto& check) {
+    Cloud cloud = noisy_torus(3000, noise);
+    for (Oriented& p : cloud.points)
+      if (!is_known(p)) p.second = Kernel::Vector_3(0, 0, 0);
+    std::vector<Form> forms;
+    const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                        .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+    const auto summary = CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                                          np, with_normals());
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      check(cloud.points[i], summary.status(i));
+      if (!summary.status(i).is_estimated()) continue;
+      const double k1 = forms[i].principal_curvatures(0), k2 = forms[i].principal_curvatures(1);
+      check_le((std::max)(std::abs(k1), std::abs(k2)), 10., "curvatures are 1 at most, noise " + text(noise));
+    }
+  };
+  const auto beyond = [](const Oriented& p, const auto& status) {
+    if (p.first.y() > 1) check_true(!status.is_estimated(), "no normal is known around");
+    if (p.first.y() < 0) check_true(status.is_estimated(), "its own normal is known");
+  };
+  estimate([](const Oriented& p) { return p.first.y() < 0; }, beyond);
+  const auto in_disk = [&](const Oriented& p, const auto& status) {
+    if (distance(p) < 1) check_true(status.is_estimated(), "its own normal is known");
+  };
+  estimate([&](const Oriented& p) { return distance(p) < 1.2; }, in_disk);
+  const auto in_hole = [&](const Oriented& p, const auto& status) {
+    if (distance(p) < 0.2) check_true(status.is_estimated(), "normals are known all around");
+  };
+  estimate([&](const Oriented& p) { return distance(p) > 0.4; }, in_hole);
+}
+
 // One normal of four is known: neighbors without one do not count, so that two that have one are too few for degree 2.
 void few_known_normals()
 {
@@ -526,6 +561,7 @@ int main()
   uneven_density();
   unknown_normals();
   few_known_normals();
+  for (const double noise : {0., 0.001, 0.01}) normals_known_in_a_part(noise);
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
   highest_degree();

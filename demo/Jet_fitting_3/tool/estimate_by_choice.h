@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -43,7 +44,7 @@ inline double expected_error(const Estimates& estimates)
 inline std::string error_in_words(double error)
 {
   std::ostringstream text;
-  text << error;
+  text << std::setprecision(3) << error;
   return std::isfinite(error) ? text.str() : "unknown";
 }
 

@@ -89,7 +89,9 @@ struct Options : Fit_options
   /// positions and normals (steps/gauss_map_fitting.h), from a third of the points that a plain fit needs. With
   /// position_noise and normal_noise, if they are known; otherwise each fit estimates them. A point whose normal is
   /// zero or not finite is no sample. Least squares only. With automatic() the noise is that of the whole point set or
-  /// mesh; on a mesh normals that follow from the faces are no data, and their noise is reported as infinite.
+  /// mesh; on a mesh normals that follow from the faces are no data, and their noise is reported as infinite; a point
+  /// that is no sample has a form among those that are, none beyond them: its status is Status_flag::too_few_points or,
+  /// where the fit leans by more than 45 degrees from the tangent plane, Status_flag::rank_deficient.
   bool use_normals = false;
 
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as

@@ -78,6 +78,7 @@ public:
   {
     Estimate_at_scale e;
     e.choice = choice_at(i, near, solver);
+    e.choice.has_neighbors = e.choice.has_neighbors && !lies_beyond_samples(i, near, e.choice);
     e.is_determined = e.choice.has_neighbors;
     if (!e.is_determined) return e;
     const Local_frame& frame = e.choice.frame;
@@ -101,6 +102,20 @@ public:
 
 private:
   using Fits = Fits_to_balls<Within>;
+
+  // A point that is no sample itself may lie outside of those that are, where a polynomial may have any value. Where
+  // they end in a straight line their middle is 0.42 radii away.
+  bool lies_beyond_samples(std::size_t i, const Indices& near, const Point_scale& choice) const
+  {
+    if (m_cloud.is_sample(i)) return false;
+    double radius = choice.normal.radius;
+    for (const Choice& c : choice.curvatures) radius = std::min(radius, c.radius);
+    const Indices samples = inside(m_cloud, near, {m_cloud.points[i], {}}, radius);
+    Vector_3<double> sum{0, 0, 0};
+    for (const std::size_t k : samples) sum = sum + (m_cloud.points[k] - m_cloud.points[i]);
+    const double most = 0.5 * radius * double(samples.size());
+    return !(dot(sum, sum) < most * most);
+  }
 
   // Of high degree where that has been learned to be better; where it is worse than expected the better one.
   template <class Solver>

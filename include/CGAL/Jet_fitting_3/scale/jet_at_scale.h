@@ -104,6 +104,10 @@ Jet_fit<double> fit_of_higher_degree(const Cloud& cloud, const Indices& near, co
   return fit_to_samples(cloud, neighbors, scale.frame, c.radius, degree, ladder.noise, solver).fit;
 }
 
+/// Whether the normal at the origin is within 45 degrees of the frame's, which is about the surface's. With normals as
+/// data derivatives grow without bound where it leans by 90.
+inline bool keeps_to_frame(const Jet<double>& jet) { return jet(1, 0) * jet(1, 0) + jet(0, 1) * jet(0, 1) < 1; }
+
 /// Whether noise leaves fewer digits than normal equations. Not with normals: what is compared leaves the defect of the
 /// Gauss map out.
 inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, double radius)
@@ -117,7 +121,7 @@ inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, doubl
 /// are made anew, by orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
 /// \param known 2, or the highest order that is: orders 3 to that are left 0
-/// \return nothing where samples do not determine it: where they lie on a line
+/// \return nothing where samples do not determine it: where they lie on a line, or beside the origin
 template <class Solver>
 std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale,
                                         std::size_t order, const Ladder& ladder, Solver& solver, std::size_t known = 2)
@@ -128,7 +132,8 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
     for (const auto& made : fits)
       if (made.first.shape == c.shape && made.first.rung == c.rung && made.first.degree == c.degree) return made.second;
     const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, c, ladder.noise, solver).fit;
-    is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree);
+    is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree) &&
+                    (!cloud.has_normals() || keeps_to_frame(fit.jet));
     fits.emplace_back(c, fit.jet);
     return fits.back().second;
   };
