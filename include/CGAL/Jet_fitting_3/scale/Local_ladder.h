@@ -210,7 +210,12 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
   const Balls& balls = neighbors.balls();
   const Row_weights weights(cloud, ladder.noise, balls.unit());
   const std::vector<Round_sums> of_balls = neighbors.sums<2>(neighbors.in_balls());
-  const std::vector<Second_order> low = fits_of_degree_2(of_balls, weights, balls);
+  std::vector<Flat_and_round> of_degree_2;
+  std::vector<Second_order> low;
+  for (const Round_sums& of_ball : of_balls) {
+    of_degree_2.push_back(Round_fit(of_ball, weights.height, 2).of_degree(2, balls.unit()));
+    low.push_back(of_degree_2.back().flat);
+  }
   find_surfaces(looks, low, ladder);
   const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
   over_surface = neighbors.indices(shells);
@@ -218,16 +223,16 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
   Fits_to_positions result;
   for (std::size_t j = 0; j < looks.size(); ++j) {
     Fits_of_radius flat, round;
-    const auto add = [&](Round_fit fit, std::size_t d) {
-      flat.fits[d - 2] = with_misfit_as_noise(fit.flat(d, balls.unit()));
-      round.fits[d - 2] = with_misfit_as_noise(fit.of_degree(d, balls.unit()));
+    const auto add = [&](const Flat_and_round& found, std::size_t d) {
+      flat.fits[d - 2] = with_misfit_as_noise(found.flat);
+      round.fits[d - 2] = with_misfit_as_noise(found.round);
     };
     flat.sizes[0] = of_balls[j].size();
-    add(Round_fit(of_balls[j], weights.height, 2), 2);
+    add(of_degree_2[j], 2);
     if (looks[j].is_cut) {
-      const Round_fit fit(sums[j], weights.height, highest_degree);
+      Round_fit fit(sums[j], weights.height, highest_degree);
       flat.sizes[1] = flat.sizes[2] = sums[j].size();
-      for (std::size_t d = 3; d <= highest_degree; ++d) add(fit, d);
+      for (std::size_t d = 3; d <= highest_degree; ++d) add(fit.of_degree(d, balls.unit()), d);
     }
     round.sizes = flat.sizes;
     result.flat.push_back(flat);

@@ -20,6 +20,9 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Of the coefficients of u, v, u^2, uv, v^2, or of what they stand for.
+using Covariance = std::array<std::array<double, 5>, 5>;
+
 /// Weighted least squares for the coefficients of u^i v^j, all degrees up to 4 at once: the Cholesky factor of degree 4
 /// and its inverse W hold those of the lower degrees in their leading blocks, so solutions and covariances are sums
 /// that grow with the degree. For choosing only, where seven digits suffice; what is reported is fitted anew.
@@ -76,15 +79,14 @@ public:
     m_squares = squares;
   }
 
-  /// The covariances of the coefficients of u, v, u^2, uv, v^2.
-  std::array<std::array<double, 5>, 5> covariance(std::size_t degree) const
+  Covariance covariance(std::size_t degree) const
   {
-    std::array<std::array<double, 5>, 5> result{};
+    Covariance result{};
     for (std::size_t k = 1; k < number_of_jet_coefficients(degree); ++k)
       for (std::size_t a = 0; a < 5; ++a)
-        for (std::size_t b = 0; b < 5; ++b) result[a][b] += m_inverse[k][a + 1] * m_inverse[k][b + 1];
+        for (std::size_t b = 0; b <= a; ++b) result[a][b] += m_inverse[k][a + 1] * m_inverse[k][b + 1];
     for (std::size_t a = 0; a < 5; ++a)
-      for (std::size_t b = 0; b < 5; ++b) result[a][b] *= m_scale[a + 1] * m_scale[b + 1];
+      for (std::size_t b = 0; b <= a; ++b) result[b][a] = result[a][b] *= m_scale[a + 1] * m_scale[b + 1];
     return result;
   }
 

@@ -57,7 +57,7 @@ struct Second_order
   Roundness round;   ///< of the round heights that were fitted; 0 if that was to heights
   double excess = 1; ///< of noise in the samples over that of the covariance
   std::array<double, 5> value{};
-  std::array<std::array<double, 5>, 5> covariance{};
+  Covariance covariance{};
 };
 
 /// Values times factors, and the lengths of a fit in a unit.
@@ -73,20 +73,28 @@ inline Second_order scaled(Second_order s, const std::array<double, 5>& factors,
   return s;
 }
 
-/// From a fit, with the unit in which its lengths were measured. Covariances are infinite where the samples do not
-/// determine the jet.
-inline Second_order second_order(const Nested_fit& fit, std::size_t degree, double unit)
+/// What samples say that do not determine the jet: covariances are infinite.
+inline Second_order undetermined()
 {
   Second_order result;
-  if (!fit.determines(degree)) {
-    for (auto& row : result.covariance) row.fill(std::numeric_limits<double>::infinity());
-    return result;
-  }
+  for (auto& row : result.covariance) row.fill(std::numeric_limits<double>::infinity());
+  return result;
+}
+
+/// From a fit that determines the degree, with the unit in which its lengths were measured, and its covariance().
+inline Second_order second_order(const Nested_fit& fit, std::size_t degree, double unit, const Covariance& covariance)
+{
+  Second_order result;
   result.height = fit.coefficient(0, degree);
   result.excess = fit.excess(degree);
   for (std::size_t a = 0; a < 5; ++a) result.value[a] = fit.coefficient(a + 1, degree);
-  result.covariance = fit.covariance(degree);
+  result.covariance = covariance;
   return scaled(result, {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit}, unit);
+}
+
+inline Second_order second_order(const Nested_fit& fit, std::size_t degree, double unit)
+{
+  return fit.determines(degree) ? second_order(fit, degree, unit, fit.covariance(degree)) : undetermined();
 }
 
 /// With a variance that contains misfit: what a fit leaves is noise of its estimates, because samples are spread by

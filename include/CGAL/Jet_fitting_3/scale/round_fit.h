@@ -115,7 +115,13 @@ inline Second_order jet_of_surface(Second_order s)
   return s;
 }
 
-/// Fits of round heights, of several degrees, to the same neighbors; lengths are in some unit.
+/// Of the same neighbors.
+struct Flat_and_round
+{
+  Second_order flat, round; ///< to heights, and to round heights
+};
+
+/// Fits of heights and of round heights, of several degrees, to the same neighbors; lengths are in some unit.
 class Round_fit
 {
 public:
@@ -124,46 +130,63 @@ public:
     : m_fit(sums, weight, 0, degree), m_weight(weight), m_products(sums.products)
   {
     m_rights = {m_fit.reduced(sums.heights), m_fit.reduced(sums.of_squares), m_fit.reduced(sums.of_cubes)};
+    for (Nested_fit::Right_side& right : m_rights)
+      for (double& r : right) r *= weight;
   }
 
   /// Of heights alone.
-  Second_order flat(std::size_t degree, double unit) { return with({1, 0, 0}, degree, unit); }
+  Second_order flat(std::size_t degree, double unit)
+  {
+    return m_fit.determines(degree) ? with({1, 0, 0}, degree, unit, m_fit.covariance(degree)) : undetermined();
+  }
 
   /// Of heights alone where round heights have none.
-  Second_order of_degree(std::size_t degree, double unit)
+  Flat_and_round of_degree(std::size_t degree, double unit)
   {
-    std::array<Second_order, 3> found;
-    for (std::size_t k = 3; k-- > 0;) found[k] = with({double(k == 0), double(k == 1), double(k == 2)}, degree, 1);
-    if (!m_fit.determines(degree)) return found[0];
-    const auto round = roundness(second(found[0]), second(found[1]), second(found[2]));
-    if (!round) return flat(degree, unit);
-    Second_order result = with(round->factors(), degree, 1);
-    const Propagation of_noise(second(result), second(found[1]), second(found[2]));
-    if (!of_noise.exists()) return flat(degree, unit);
+    if (!m_fit.determines(degree)) return {undetermined(), undetermined()};
+    const Covariance covariance = m_fit.covariance(degree); // whatever is fitted
+    const Second_order flat = with({1, 0, 0}, degree, unit, covariance);
+    return {flat, round(degree, unit, covariance).value_or(flat)};
+  }
+
+private:
+  std::optional<Second_order> round(std::size_t degree, double unit, const Covariance& covariance)
+  {
+    const Second_derivatives of_squares = second(m_rights[1], degree), of_cubes = second(m_rights[2], degree);
+    const auto round = roundness(second(m_rights[0], degree), of_squares, of_cubes);
+    if (!round) return std::nullopt;
+    Second_order result = with(round->factors(), degree, 1, covariance);
+    const Propagation of_noise({result.value[2], result.value[3], result.value[4]}, of_squares, of_cubes);
+    if (!of_noise.exists()) return std::nullopt;
     of_noise.apply(result);
     result.round = *round;
     return scaled(jet_of_surface(result), {1, 1, 1 / unit, 1 / unit, 1 / unit}, unit);
   }
 
-private:
-  static Second_derivatives second(const Second_order& s) { return {s.value[2], s.value[3], s.value[4]}; }
+  // To one right side.
+  Second_derivatives second(const Nested_fit::Right_side& right, std::size_t degree)
+  {
+    m_fit.set_right_side(right, 0);
+    return {2 * m_fit.coefficient(3, degree), std::sqrt(2.) * m_fit.coefficient(4, degree),
+            2 * m_fit.coefficient(5, degree)};
+  }
 
   // To the sum of the right sides with these factors.
-  Second_order with(const std::array<double, 3>& factors, std::size_t degree, double unit)
+  Second_order with(const std::array<double, 3>& factors, std::size_t degree, double unit, const Covariance& covariance)
   {
     Nested_fit::Right_side right{};
     double squares = 0;
     for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t k = 0; k < right.size(); ++k) right[k] += m_weight * factors[a] * m_rights[a][k];
+      for (std::size_t k = 0; k < right.size(); ++k) right[k] += factors[a] * m_rights[a][k];
       for (std::size_t b = a; b < 3; ++b) squares += (a < b ? 2 : 1) * factors[a] * factors[b] * m_products[a][b];
     }
     m_fit.set_right_side(right, m_weight * squares);
-    return second_order(m_fit, degree, unit);
+    return second_order(m_fit, degree, unit, covariance);
   }
 
   Nested_fit m_fit;
   double m_weight;
-  std::array<Nested_fit::Right_side, 3> m_rights;
+  std::array<Nested_fit::Right_side, 3> m_rights; // weighted
   std::array<std::array<double, 3>, 3> m_products;
 };
 
