@@ -28,7 +28,8 @@ void found_and_false(const Analytic_mesh& surface, const std::string& name)
   const Maps exact(clean, CGAL::parameters::degree_fitting(6).degree_monge(4));
   const Lines truth = extract_ridges(clean, exact, all).lines;
   const double edge = mean_edge_length(clean);
-  for (const auto& [noise, meshes] : {std::pair{0.003, 1u}, std::pair{0.01, 3u}}) {
+  // what is found varies by 2 % from mesh to mesh
+  for (const auto& [noise, meshes] : {std::pair{0.003, 2u}, std::pair{0.01, 8u}}) {
     double found = 0, right = 0, length = 0;
     for (unsigned seed = 1; seed <= meshes; ++seed) {
       const Lines drawn = automatic_ridges(noisy(surface, noise, seed));

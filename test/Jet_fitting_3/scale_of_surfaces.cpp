@@ -132,15 +132,6 @@ void weights_have_least_risk()
   test::check_equal(scale::least_risk(nested).weights[0], 1., "weight of the efficient estimate");
 }
 
-void nonnegative_solutions()
-{
-  const auto free = scale::nonnegative_solution({{{2, 0, 0}, {0, 4, 0}, {0, 0, 8}}}, {2, 4, 8});
-  for (const double x : free) test::check_near(x, 1, 1e-12, "solution without active bounds");
-  const auto bounded = scale::nonnegative_solution({{{2, 1, 0}, {1, 2, 0}, {0, 0, 0}}}, {2, -1, 0});
-  test::check_near(bounded[0], 1, 1e-12, "solution beside a bound");
-  test::check_equal(bounded[1], 0., "solution at a bound");
-}
-
 // Random terms of known variances, many places, some noise: what the comparisons say of them.
 void model_finds_the_variances_of_terms()
 {
@@ -174,7 +165,7 @@ void model_finds_the_variances_of_terms()
   std::vector<const scale::Comparisons*> members;
   for (const scale::Comparisons& p : places) members.push_back(&p);
   const scale::Comparisons means = scale::patch_means(members, ladder, 100, {0, 3});
-  const scale::Bias_model model = scale::Bias_fit(means, ladder, 2, tau[2] * tau[2]).model();
+  const scale::Bias_model model = scale::bias_model(means, ladder, 2, tau[2] * tau[2]);
   test::check_near(std::log2(model.terms[4] / (tau[4] * tau[4])), 0, 1, "variance of the terms of order 4");
   test::check_near(std::log2(model.terms[6] / (tau[6] * tau[6])), 0, 1.5, "variance of the terms of order 6");
 }
@@ -309,7 +300,6 @@ int main()
   squares_do_not_depend_on_axes();
   too_few_samples_are_no_candidate();
   weights_have_least_risk();
-  nonnegative_solutions();
   model_finds_the_variances_of_terms();
   noisy_meshes();
   return test::result();

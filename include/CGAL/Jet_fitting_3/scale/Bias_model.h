@@ -65,11 +65,12 @@ inline Ladder ladder_of(std::vector<double> radii, std::vector<std::size_t> degr
 /// What the difference of two candidates says.
 struct Comparison
 {
-  double excess = 0;    ///< its square less its variance: its squared bias, but for noise
-  double variance = -1; ///< negative: one of both does not exist
-  Of_orders terms{};    ///< squared bias per variance of the terms of each order
+  double excess = 0; ///< its square less the noise: its squared bias, but for chance
+  double noise = -1; ///< its variance; negative: one of both does not exist
+  double error = 0;  ///< of the excess, by chance: as large as the noise, or in a mean the standard error
+  Of_orders terms{}; ///< squared bias per variance of the terms of each order
 
-  bool exists() const { return variance >= 0; }
+  bool exists() const { return noise >= 0; }
 };
 
 /// Of one candidate.
@@ -100,7 +101,7 @@ inline Comparison compare(const Candidate& a, const Candidate& b, const Own_erro
   const double sum = of_a.variance + of_b.variance - 2 * covariance(a, b, target);
   const double variance = square_of_noise * std::max(0., sum);
   result.excess = square - variance;
-  result.variance = std::max(variance, 1e-18 * size + 1e-200);
+  result.noise = result.error = std::max(variance, 1e-18 * size + 1e-200);
   const Of_orders products = error_products(a, b, target);
   for (std::size_t k = 0; k < products.size(); ++k) result.terms[k] = of_a.terms[k] + of_b.terms[k] - 2 * products[k];
   return result;
@@ -138,237 +139,46 @@ inline double squared_bias(const Of_orders& terms, const Of_orders& per_variance
   return sum;
 }
 
-/// Solves min |A x - y| for x >= 0, up to three unknowns, from the normal equations: by trying which are 0.
-inline std::array<double, 3> nonnegative_solution(const std::array<std::array<double, 3>, 3>& a,
-                                                  const std::array<double, 3>& y)
-{
-  std::array<double, 3> best{};
-  double least = 0;
-  for (unsigned set = 1; set < 8; ++set) {
-    double m[3][4] = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool in = (set >> i & 1) && a[i][i] > 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        m[i][k] = in && (set >> k & 1) && a[k][k] > 0 ? a[i][k] / std::sqrt(a[i][i] * a[k][k]) : i == k;
-      m[i][3] = in ? y[i] / std::sqrt(a[i][i]) : 0;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (k == i) continue;
-        const double f = m[k][i] / m[i][i];
-        for (std::size_t l = i; l < 4; ++l) m[k][l] -= f * m[i][l];
-      }
-    std::array<double, 3> x{};
-    double value = 0;
-    bool feasible = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(a[i][i] > 0)) continue;
-      x[i] = m[i][3] / m[i][i] / std::sqrt(a[i][i]);
-      feasible = feasible && x[i] >= 0;
-      value -= x[i] * y[i] / 2;
-    }
-    if (feasible && value < least) {
-      least = value;
-      best = x;
-    }
-  }
-  return best;
-}
-
-/// The factor with which predictions fit best what is seen, by least squares.
-class Fitted_factor
-{
-public:
-  void add(double weight, double predicted, double seen)
-  {
-    m_product += weight * predicted * seen;
-    m_square += weight * predicted * predicted;
-  }
-
-  double within(double least, double most) const { return std::min(most, std::max(least, m_product / m_square)); }
-
-private:
-  double m_product = 10, m_square = 10; // as if ten predictions, of all weight that there may be, had come true
-};
-
-/// What a patch says: the members' comparisons in the mean, with standard errors in place of variances.
+/// What a patch says: the members' comparisons in the mean.
 inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Ladder& ladder,
                                double patch_radius, const Target& target)
 {
   Comparisons means(ladder.pairs.size());
-  std::vector<double> weights(means.size());
+  std::vector<double> weights(means.size()), noises(means.size());
   std::vector<std::size_t> counts(means.size());
   for (const Comparisons* member : members)
     for (std::size_t t = 0; t < means.size(); ++t) {
       const Comparison& c = (*member)[t];
       if (!c.exists()) continue;
-      const double w = 1 / (c.variance * c.variance);
+      const double w = 1 / (c.noise * c.noise);
       weights[t] += w;
       ++counts[t];
       means[t].excess += w * c.excess;
+      noises[t] += w * c.noise;
       for (std::size_t k = 0; k < c.terms.size(); ++k) means[t].terms[k] += w * c.terms[k];
     }
   for (std::size_t t = 0; t < means.size(); ++t) {
     Comparison& mean = means[t];
     if (counts[t] <= members.size() / 3) continue;
     mean.excess /= weights[t];
+    mean.noise = noises[t] / weights[t];
     for (double& term : mean.terms) term /= weights[t];
     const double ratio = patch_radius / ladder.radii[ladder.shell(ladder.pairs[t].first)];
     const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
     // the square of one normal variable varies more than that of three
-    mean.variance = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
+    mean.error = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
   }
   return means;
 }
 
-/// How samples lie around the place of a fit.
-enum class Disks
+/// The first of a pair errs by their difference at least, less so many standard errors, if the second is no larger.
+inline void raise(Bias_model& model, const Ladder& ladder, std::size_t t, const Comparison& c, double errors)
 {
-  whole,
-  uneven, ///< denser on one side
-  cut_off ///< at borders
-};
-
-/// The model for derivatives of the given order from what a patch says, by nonnegative least squares; every comparison
-/// counts with its standard error or half its size, whichever is more. Free are the variances of every other order
-/// (disks do not see the others), which are the geometric means of their neighbors. An analytic surface's terms fall
-/// about as a power of the order: where comparisons are silent this gives the least that is assumed, and but for
-/// borders what is expected. Where disks are not whole, comparisons also tell how many times these means the variances
-/// of the others are.
-/// \param own the variance of the order's own terms
-class Bias_fit
-{
-public:
-  Bias_fit(const Comparisons& means, const Ladder& ladder, std::size_t order, double own, Disks disks = Disks::whole)
-    : m_means(means), m_ladder(ladder), m_order(order), m_disks(disks)
-  {
-    m_model.terms[order] = own;
-    start();
-    for (int round = 0; round < 5; ++round) improve();
-    if (m_disks != Disks::whole) scale_odd_terms();
-    m_model.terms[order] = 0; // is no bias
-    bound();
-  }
-
-  const Bias_model& model() const { return m_model; }
-
-private:
-  // Medians of what the candidates say one by one that the order following theirs is the first to disturb.
-  void start()
-  {
-    for (std::size_t k = m_order + 2; k <= highest_order; k += 2) {
-      std::vector<double> ratios;
-      for (std::size_t t = 0; t < m_means.size(); ++t)
-        if (m_means[t].exists() && m_means[t].terms[k] > 0 && m_ladder.degree(m_ladder.pairs[t].first) + 2 == k)
-          ratios.push_back(m_means[t].excess / m_means[t].terms[k]);
-      if (ratios.empty()) continue;
-      const auto median = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-      std::nth_element(ratios.begin(), median, ratios.end());
-      m_model.terms[k] = std::max(0., *median);
-    }
-  }
-
-  static double weight(const Comparison& c, double predicted)
-  {
-    const double size = std::max({0., c.excess, predicted});
-    return 1 / (c.variance * c.variance + size * size / 4);
-  }
-
-  void improve()
-  {
-    std::array<std::array<double, 3>, 3> a{};
-    std::array<double, 3> y{};
-    for (const Comparison& c : m_means) {
-      if (!c.exists()) continue;
-      const double w = weight(c, squared_bias(m_model.terms, c.terms));
-      double known = 0;
-      for (std::size_t k = m_order + 1; k <= highest_order; k += 2) known += m_model.terms[k] * c.terms[k];
-      for (std::size_t i = 0; m_order + 2 + 2 * i <= highest_order; ++i) {
-        y[i] += w * c.terms[m_order + 2 + 2 * i] * (c.excess - known);
-        for (std::size_t k = 0; m_order + 2 + 2 * k <= highest_order; ++k)
-          a[i][k] += w * c.terms[m_order + 2 + 2 * i] * c.terms[m_order + 2 + 2 * k];
-      }
-    }
-    if (m_disks != Disks::cut_off) add_expected(a, y);
-    const auto x = nonnegative_solution(a, y);
-    Of_orders& terms = m_model.terms;
-    for (std::size_t i = 0, k = m_order + 2; k <= highest_order; ++i, k += 2)
-      terms[k] = std::max(x[i], i > 0 ? 0.1 * expected(k) : 0.);
-    for (std::size_t k = m_order + 2; k <= highest_order; k += 2) {
-      if (m_disks != Disks::whole && !(terms[k] > 0)) terms[k] = 0.1 * between(k);
-      terms[k - 1] = std::sqrt(terms[k] * terms[k - 2]);
-    }
-    const std::size_t k = highest_order; // the last may have a neighbor on one side only
-    if ((k - m_order) % 2 == 1) terms[k] = terms[k - 2] > 0 ? terms[k - 1] * terms[k - 1] / terms[k - 2] : 0;
-  }
-
-  // Of order k, as two orders before the terms have fallen to those of the order between.
-  double expected(std::size_t k) const
-  {
-    const Of_orders& terms = m_model.terms;
-    return terms[k - 4] > 0 ? terms[k - 2] * terms[k - 2] / terms[k - 4] : 0;
-  }
-
-  // As if it had been seen, to twice its size.
-  void add_expected(std::array<std::array<double, 3>, 3>& a, std::array<double, 3>& y) const
-  {
-    for (std::size_t i = 1, k = m_order + 4; k <= highest_order; ++i, k += 2) {
-      const double e = expected(k), size = 2 * std::max(e, m_model.terms[k]), w = 1 / (size * size);
-      if (!(e > 0 && a[i][i] > 0 && std::isfinite(w))) continue;
-      a[i][i] += w;
-      y[i] += w * e;
-    }
-  }
-
-  // The geometric mean of the term of two orders less and the next that there is, for their orders. The terms of a
-  // surface do not vanish between two others, for which disks that are not whole may take them.
-  double between(std::size_t k) const
-  {
-    const Of_orders& terms = m_model.terms;
-    for (std::size_t next = k + 2; next <= highest_order; next += 2)
-      if (terms[next] > 0) {
-        const double steps = double(next - k) / 2 + 1;
-        return std::pow(terms[k - 2], 1 - 1 / steps) * std::pow(terms[next], 1 / steps);
-      }
-    return 0;
-  }
-
-  void scale_odd_terms()
-  {
-    Fitted_factor factor;
-    for (const Comparison& c : m_means) {
-      if (!c.exists()) continue;
-      double odd = 0;
-      for (std::size_t k = m_order + 1; k <= highest_order; k += 2) odd += m_model.terms[k] * c.terms[k];
-      const double predicted = squared_bias(m_model.terms, c.terms);
-      if (odd > 0) factor.add(weight(c, predicted), odd, c.excess - (predicted - odd));
-    }
-    for (std::size_t k = m_order + 1; k <= highest_order; k += 2) m_model.terms[k] *= factor.within(0.02, 5);
-  }
-
-  void bound()
-  {
-    m_model.least.assign(m_ladder.size(), 0);
-    for (std::size_t t = 0; t < m_means.size(); ++t) raise(m_model, m_ladder, t, m_means[t], 2);
-  }
-
-public:
-  /// The first of a pair errs by their difference at least, less so many standard errors, if the second is no larger.
-  static void raise(Bias_model& model, const Ladder& ladder, std::size_t t, const Comparison& c, double errors)
-  {
-    const Pair& pair = ladder.pairs[t];
-    if (!c.exists() || ladder.shell(pair.second) > ladder.shell(pair.first)) return;
-    double& least = model.least[pair.first];
-    least = std::max(least, c.excess - errors * c.variance);
-  }
-
-private:
-  const Comparisons& m_means;
-  const Ladder& m_ladder;
-  std::size_t m_order;
-  Disks m_disks;
-  Bias_model m_model;
-};
+  const Pair& pair = ladder.pairs[t];
+  if (!c.exists() || ladder.shell(pair.second) > ladder.shell(pair.first)) return;
+  double& least = model.least[pair.first];
+  least = std::max(least, c.excess - errors * c.error);
+}
 
 /// The weights of all candidates; 0 for those that do not exist.
 struct Choice
@@ -458,16 +268,18 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
   return choice;
 }
 
-/// How many times the bias that a model predicts a vertex sees in comparisons of its own.
+/// How many times the bias that a model predicts a vertex sees in comparisons of its own, by least squares.
 inline double own_factor(const Bias_model& model, const Comparisons& own)
 {
-  Fitted_factor factor;
+  double product = 10, square = 10; // as if ten predictions, of all weight that there may be, had come true
   for (const Comparison& c : own) {
-    if (!c.exists()) continue;
     const double predicted = squared_bias(model.terms, c.terms), size = std::max({0., c.excess, predicted});
-    if (predicted > 0) factor.add(1 / (2 * c.variance * c.variance + size * size), predicted, c.excess);
+    if (!c.exists() || !(predicted > 0)) continue;
+    const double w = 1 / (2 * c.error * c.error + size * size);
+    product += w * predicted * c.excess;
+    square += w * predicted * predicted;
   }
-  return factor.within(0.1, 20);
+  return std::min(20., std::max(0.1, product / square));
 }
 
 /// Weights by what a patch says, and by comparisons of the candidates' own where noise cannot explain what they show.
@@ -481,7 +293,7 @@ inline Choice choose_with_own_say(const Candidates& candidates, const Comparison
       model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
   const double factor = own_factor(model, own);
   for (double& term : model.terms) term *= factor;
-  for (std::size_t t = 0; t < own.size(); ++t) Bias_fit::raise(model, ladder, t, own[t], 12);
+  for (std::size_t t = 0; t < own.size(); ++t) raise(model, ladder, t, own[t], 12);
   return choose(candidates, model, target, square_of_noise);
 }
 

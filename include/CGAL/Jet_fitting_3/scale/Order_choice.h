@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_ORDER_CHOICE_H
 
 #include <CGAL/Jet_fitting_3/numeric/binary_form.h>
-#include <CGAL/Jet_fitting_3/scale/Bias_model.h>
+#include <CGAL/Jet_fitting_3/scale/Bias_fit.h>
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
@@ -162,7 +162,7 @@ private:
       size += place.size / double(count);
     }
     const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first), m_targets[target]);
-    return Bias_fit(means, m_ladder, m_order, size / size_of_unit_terms(m_order)).model();
+    return bias_model(means, m_ladder, m_order, size / size_of_unit_terms(m_order));
   }
 
   // By what the places around it say, and by its own candidates.

@@ -7,7 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_CHOICE_H
 #define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_CHOICE_H
 
-#include <CGAL/Jet_fitting_3/scale/Bias_model.h>
+#include <CGAL/Jet_fitting_3/scale/Bias_fit.h>
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order_estimate.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
@@ -67,7 +67,7 @@ class Second_order_choice
   static constexpr std::size_t places_per_model = 4; // far fewer than in a patch
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
   static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
-  static constexpr double far = 16;                           // square, in standard deviations
+  static constexpr double unlikely = 4, far = 16;             // squares, in standard deviations
   static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
 
 public:
@@ -311,14 +311,7 @@ private:
       size += m_places[near[k].second].own_size / double(count);
     }
     const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / center.unit, targets[target]);
-    return Bias_fit(means, m_ladder, 2, size / size_of_unit_terms(2), disks_at(center)).model();
-  }
-
-  // By how far the middle of three rings lies beside the vertex.
-  static Disks disks_at(const Whereabouts& center)
-  {
-    if (center.beside < 1.6 * center.unit) return Disks::whole;
-    return center.beside < 8 * center.unit ? Disks::uneven : Disks::cut_off;
+    return bias_model(means, m_ladder, 2, size / size_of_unit_terms(2));
   }
 
   void compare_components(Walker<Neighbors>& walker, Place& place) const
@@ -434,11 +427,17 @@ private:
       Candidates& candidates = candidates_of_shapes[choice.shape];
       if (candidates.empty())
         candidates = fit(walker, i, result.frame, choice.shape, place.selections[choice.shape], false);
-      if (!fits(choice, place, candidates)) choice = own_choice(walker, i, place, result.frame, t, candidates);
-      double x = 0, y = 0;
-      const double value = choice.exists() ? mean(candidates, choice, x, y)[t] : q[t], difference = value - q[t];
-      // where it is far from what disks say, the vertex is unlike its patch
-      const bool is_taken = choice.exists() && difference * difference <= far * (in_disks.risk() + choice.risk());
+      const auto value_of = [&](const Choice& c) {
+        double x = 0, y = 0;
+        return mean(candidates, c, x, y)[t];
+      };
+      // a value beside what disks say, in standard deviations, squared
+      const auto beside_disks = [&](double v) { return (v - q[t]) * (v - q[t]) / (in_disks.risk() + choice.risk()); };
+      if (!fits(choice, place, candidates) || beside_disks(value_of(choice)) > unlikely)
+        choice = own_choice(walker, i, place, result.frame, t, candidates);
+      const double value = choice.exists() ? value_of(choice) : q[t], difference = value - q[t];
+      // the risk of disks is that of all components together
+      const bool is_taken = choice.exists() && choice.risk() <= in_disks.risk() && beside_disks(value) <= far;
       result.variances[t] = is_taken ? choice.variance : in_disks.variance;
       result.squared_biases[t] = is_taken ? choice.squared_bias : in_disks.squared_bias;
       if (t != 1) {

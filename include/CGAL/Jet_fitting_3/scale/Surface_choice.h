@@ -41,7 +41,8 @@ template <class Neighbors>
 class Surface_choice
 {
   using Choice_of_height = Second_order_choice<Neighbors>;
-  static constexpr double margin = 1.5; // of the risk, by which the potential must be better
+  static constexpr double margin = 1.4; // of the risk, by which the potential must be better
+  static constexpr double apart = 4;    // square of how far they may differ, over what they claim
 
 public:
   using Surface = Surface_points<Neighbors>;
@@ -55,7 +56,8 @@ public:
                  std::size_t highest = highest_degree, const For_each& for_each = For_each())
     : m_surface(surface)
   {
-    const std::vector<std::size_t> vertices = spread_over_scales(surface.units, most_places);
+    const auto is_at_border = [&](std::size_t i) { return surface.planes && (*surface.planes)[i].lean > 0.5; };
+    const std::vector<std::size_t> vertices = spread_over_kinds(surface.units, is_at_border, most_places);
     for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, i));
     const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
       return Choice_of_height(surface, squares_of_noise, ladder, height, places, for_each);
@@ -98,9 +100,9 @@ public:
   }
 
 private:
-  // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than they
-  // claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which are
-  // larger than it without noise.
+  // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than twice
+  // what they claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which
+  // are larger than it without noise.
   static bool is_better(const Choice_of_height& first, const Choice_of_height& second, std::size_t places)
   {
     double gain = 0;
@@ -116,7 +118,7 @@ private:
     if (differences.empty()) return false;
     const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);
     std::nth_element(differences.begin(), median, differences.end());
-    return gain < -std::log(margin) * double(differences.size()) && *median < 1;
+    return gain < -std::log(margin) * double(differences.size()) && *median < apart;
   }
 
   const Surface& m_surface;

@@ -113,21 +113,25 @@ inline std::vector<std::size_t> spread_vertices(std::size_t size, std::size_t mo
   return vertices;
 }
 
-/// The same, and more where edges are four times as long or short as in the middle, sixteen times, ...: an eighth of
-/// the number for each such part, or all that it has.
-inline std::vector<std::size_t> spread_over_scales(const std::vector<double>& units, std::size_t most)
+/// The same, and more of each kind that is rare: where edges are four times as long or short as in the middle, sixteen
+/// times, ..., and at borders of each. An eighth of the number, or all that there are.
+template <class Is_at_border>
+std::vector<std::size_t> spread_over_kinds(const std::vector<double>& units, const Is_at_border& is_at_border,
+                                           std::size_t most)
 {
   std::vector<std::size_t> vertices = spread_vertices(units.size(), most);
   if (units.empty()) return vertices;
   std::vector<double> sorted = units;
   const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  const auto scale = [&](std::size_t i) { return std::lround(std::log2(units[i] / *middle) / 2); };
-  std::map<long, std::size_t> counts;
-  for (const std::size_t i : vertices) ++counts[scale(i)];
-  std::map<long, std::vector<std::size_t>> rare;
+  const auto kind = [&](std::size_t i) {
+    return std::pair<long, bool>(std::lround(std::log2(units[i] / *middle) / 2), is_at_border(i));
+  };
+  std::map<std::pair<long, bool>, std::size_t> counts;
+  for (const std::size_t i : vertices) ++counts[kind(i)];
+  std::map<std::pair<long, bool>, std::vector<std::size_t>> rare;
   for (std::size_t i = 0; i < units.size(); ++i)
-    if (counts[scale(i)] < most / 8) rare[scale(i)].push_back(i);
+    if (counts[kind(i)] < most / 8) rare[kind(i)].push_back(i);
   std::vector<bool> is_there(units.size());
   for (const std::size_t i : vertices) is_there[i] = true;
   for (const auto& part : rare)
@@ -136,6 +140,13 @@ inline std::vector<std::size_t> spread_over_scales(const std::vector<double>& un
       if (!is_there[i]) vertices.push_back(i);
     }
   return vertices;
+}
+
+/// The same for scales alone.
+inline std::vector<std::size_t> spread_over_scales(const std::vector<double>& units, std::size_t most)
+{
+  const auto nowhere = [](std::size_t) { return false; };
+  return spread_over_kinds(units, nowhere, most);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE
