@@ -35,7 +35,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// curvatures and directions, and the derivatives of the curvatures.
 ///
 /// The point of evaluation is the vertex. Forms are oriented: the normal n of the form lies on the side of
-/// `vertex_normal_map`, or without one, on the side from which the faces around the vertex are seen counterclockwise.
+/// `vertex_normal_map`, or without one, on the side from which the faces around the vertex are seen counterclockwise;
+/// with automatic() those around its neighbors count as well, because noise may turn the faces around a single vertex.
 /// For a closed mesh oriented outwards n points outwards, and k1 = k2 = -1/r on a sphere of radius r.
 ///
 /// \tparam ConcurrencyTag Sequential_tag, Parallel_tag (needs TBB) or Parallel_if_available_tag. The results are the

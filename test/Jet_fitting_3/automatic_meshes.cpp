@@ -8,6 +8,7 @@
 #include "check.h"
 #include "double_mesh.h"
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
 #include <algorithm>
@@ -407,6 +408,23 @@ void far_vertex_and_debris()
   check_le(std::abs(of_litter.noise.position / 0.005 - 1), 0.2, "the noise beside loose triangles");
 }
 
+// The faces around a single vertex may all be on the wrong side of the surface; its form is not.
+void sides()
+{
+  const Analytic_mesh exact = torus(2, 1, 100, 40);
+  Noisy_mesh noisy(exact, 0.07); // half an edge
+  noisy.estimate(jets::automatic(), 6);
+  int by_form = 0, by_faces = 0;
+  for (const Vertex v : noisy.mesh.vertices()) {
+    const Point n = exact.truth(exact.points[v]).normal;
+    const Kernel::Vector_3 outwards(n.x, n.y, n.z);
+    by_form += noisy.forms[v].normal_direction() * outwards <= 0;
+    by_faces += CGAL::Polygon_mesh_processing::compute_vertex_normal(v, noisy.mesh) * outwards <= 0;
+  }
+  check_ge(by_faces, 40, "vertices whose faces are on the wrong side");
+  check_le(by_form, 4, "forms on the wrong side");
+}
+
 void misuse()
 {
   Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
@@ -444,6 +462,7 @@ int main()
   long_triangles();
   third_order_of_long_triangles();
   sharp_tips();
+  sides();
   same_bits();
   bad_vertices();
   far_vertex_and_debris();

@@ -55,7 +55,9 @@ public:
       m_options(options_by_number(mesh, np, options)),
       m_normals(options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
       m_estimator(make_estimator(ConcurrencyTag(), mesh, for_places))
-  {}
+  {
+    if constexpr (is_automatic && !has_normals) m_tables.normals = with_neighbors(m_tables.normals, m_tables.adjacency);
+  }
 
   Mesh_estimation(const Mesh_estimation&) = delete;
   Mesh_estimation& operator=(const Mesh_estimation&) = delete;

@@ -53,6 +53,20 @@ inline std::vector<Vector_3<double>> unit_vectors(const Normal_table& normals, s
   return result;
 }
 
+/// Of each node with a normal, and its neighbors, the sum: with noise the normal of a single one may be on the wrong
+/// side. Where it vanishes the own one stays.
+inline Normal_table with_neighbors(const Normal_table& normals, const Adjacency& adjacency)
+{
+  Normal_table result = normals;
+  for (Index node = 0; node < adjacency.number_of_nodes(); ++node) {
+    if (!normals.is_known(node)) continue;
+    Vector_3<float> sum = normals[node];
+    for (const Index neighbor : adjacency[node]) sum = sum + normals[neighbor];
+    result.set(node, sum);
+  }
+  return result;
+}
+
 /// A mesh as automatic() and estimate_noise() take it: points in the unit of the tables, which must outlive it, normals
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
 class Unit_surface
