@@ -51,18 +51,14 @@ public:
     constexpr std::size_t lines = 10; // terms as large as the order's own, ..., e^-9 times those of the order before
     std::array<double, lines> costs;
     for (std::size_t k = 0; k < lines; ++k) costs[k] = cost(line(k));
-    Logarithms best{};
-    double least = std::numeric_limits<double>::infinity();
+    Guess best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t k = 0; k < lines; ++k) {
       if ((k > 0 && costs[k - 1] < costs[k]) || (k + 1 < lines && costs[k + 1] < costs[k])) continue;
-      const Logarithms x = minimum(line(k), costs[k]);
-      const double there = cost(x);
-      if (!(there < least)) continue;
-      best = x;
-      least = there;
+      const Guess found = minimum({line(k), costs[k]});
+      if (found.cost < best.cost) best = found;
     }
     Of_orders result{};
-    for (std::size_t i = 0; i < m_count; ++i) result[m_order + 1 + i] = std::exp(best[i]);
+    for (std::size_t i = 0; i < m_count; ++i) result[m_order + 1 + i] = std::exp(best.x[i]);
     return result;
   }
 
@@ -76,6 +72,12 @@ private:
   {
     double square, noise, weight;
     std::array<double, most> terms;
+  };
+
+  struct Guess
+  {
+    Logarithms x;
+    double cost;
   };
 
   // It is known as well as chance allows, and the bias in it to half of it; of higher derivatives, which vary more in a
@@ -188,24 +190,24 @@ private:
   }
 
   // To a thousandth; damped as Levenberg and Marquardt do it.
-  Logarithms minimum(Logarithms x, double cost_of_x) const
+  Guess minimum(Guess best) const
   {
     constexpr int most_rounds = 40, most_tries = 12;
     double damping = 1e-3;
     for (int round = 0; round < most_rounds; ++round) {
-      const Scoring at_x = scoring(x);
+      const Scoring at_best = scoring(best.x);
       double gain = -1;
       for (int tries = 0; tries < most_tries && !(gain > 0); ++tries) {
-        Logarithms next = step(at_x, damping);
-        for (std::size_t i = 0; i < m_count; ++i) next[i] += x[i];
-        gain = cost_of_x - cost(next);
+        Guess next{step(at_best, damping), 0};
+        for (std::size_t i = 0; i < m_count; ++i) next.x[i] += best.x[i];
+        next.cost = cost(next.x);
+        gain = best.cost - next.cost;
         damping *= gain > 0 ? 0.2 : 5;
-        if (gain > 0) x = next;
+        if (gain > 0) best = next;
       }
-      cost_of_x -= std::max(0., gain);
       if (!(gain > 1e-3)) break;
     }
-    return x;
+    return best;
   }
 
   std::size_t m_order, m_count;

@@ -11,7 +11,6 @@
 #include <CGAL/Jet_fitting_3/scale/least_risk.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
