@@ -267,18 +267,23 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
   return choice;
 }
 
-/// How many times the bias that a model predicts a vertex sees in comparisons of its own, by least squares.
+/// What noise alone hardly ever causes, in errors of a comparison.
+constexpr double beyond_noise = 12;
+
+/// How many times the squared bias that a model predicts a vertex sees in comparisons of its own, by least squares.
+/// What noise may have caused counts less the larger it is.
 inline double own_factor(const Bias_model& model, const Comparisons& own)
 {
   double product = 10, square = 10; // as if ten predictions, of all weight that there may be, had come true
   for (const Comparison& c : own) {
-    const double predicted = squared_bias(model.terms, c.terms), size = std::max({0., c.excess, predicted});
+    const double predicted = squared_bias(model.terms, c.terms);
     if (!c.exists() || !(predicted > 0)) continue;
+    const double size = c.excess > beyond_noise * c.error ? predicted : std::max(c.excess, predicted);
     const double w = 1 / (2 * c.error * c.error + size * size);
     product += w * predicted * c.excess;
     square += w * predicted * predicted;
   }
-  return std::min(20., std::max(0.1, product / square));
+  return std::max(0.1, product / square);
 }
 
 /// Weights by what a patch says, and by comparisons of the candidates' own where noise cannot explain what they show.
@@ -292,7 +297,7 @@ inline Choice choose_with_own_say(const Candidates& candidates, const Comparison
       model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
   const double factor = own_factor(model, own);
   for (double& term : model.terms) term *= factor;
-  for (std::size_t t = 0; t < own.size(); ++t) raise(model, ladder, t, own[t], 12);
+  for (std::size_t t = 0; t < own.size(); ++t) raise(model, ladder, t, own[t], beyond_noise);
   return choose(candidates, model, target, square_of_noise);
 }
 
