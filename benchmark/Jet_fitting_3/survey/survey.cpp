@@ -103,7 +103,7 @@ Row run(const survey::Surface& surface, const std::vector<Vector>& exact, double
   std::array<std::vector<double>, 5> all;
   for (std::size_t i = 0; i < points.size(); i += every) {
     const scale::Point_scale choice = automatic(i, near);
-    const auto jet = scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(choice), solver);
+    const auto jet = scale::jet_at_scale(automatic.cloud(), near, choice, 2, automatic.ladder(choice), solver);
     const auto e = errors(jet.value(), choice.frame, survey::truth(surface, exact[i]));
     for (std::size_t q = 0; q < e.size(); ++q) all[q].push_back(e[q]);
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Point_scale.h>
+#include <CGAL/Jet_fitting_3/scale/border_of_noise.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 
 #include <algorithm>
@@ -65,9 +66,16 @@ public:
     const Indices some = places_for_noise(cloud);
     const Density of_some = density(cloud, within, some);
     m_noise = noise ? *noise : estimate_noise(cloud, within, some, of_some);
+    if (cloud.has_normals()) {
+      m_at_border = border_of_noise(cloud, within, m_noise, for_each);
+      if (!m_at_border.empty()) m_cloud.at_border = m_at_border.data();
+    }
     learn_bias(of_some.radius, noise.has_value(), for_each);
   }
+  Automatic_scale(Automatic_scale&&) = default; // not to be copied: the cloud has the place of the border
 
+  /// With the border that was found.
+  const Cloud& cloud() const { return m_cloud; }
   /// The noise of the cloud.
   const Noise& noise() const { return m_noise; }
 
@@ -462,6 +470,7 @@ private:
   }
 
   Cloud m_cloud;
+  std::vector<char> m_at_border; // of the cloud
   Within m_within;
   std::size_t m_highest_choice;
   Noise m_noise;

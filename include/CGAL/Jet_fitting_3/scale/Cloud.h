@@ -27,10 +27,12 @@ struct Cloud
   const Vector_3<double>* normals; ///< or null
   std::size_t size;
   const char* outliers = nullptr; ///< one flag each, or null: they are nobody's neighbors, and nothing is learned there
+  const char* at_border = nullptr; ///< one flag each, or null: no samples, see border_of_noise()
 
   bool has_normals() const { return normals != nullptr; }
   /// Not where normals are data and that of the point is unknown, which is zero.
-  bool is_sample(std::size_t i) const { return !has_normals() || dot(normals[i], normals[i]) > 0; }
+  bool has_data(std::size_t i) const { return !has_normals() || dot(normals[i], normals[i]) > 0; }
+  bool is_sample(std::size_t i) const { return has_data(i) && !(at_border && at_border[i]); }
 };
 
 /// Radii that grow by steps of 25 %, and where on that ladder things begin; all that is the same where points are about

@@ -58,8 +58,8 @@ public:
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
               const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
               std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
-    : m_cloud(cloud), m_automatic(cloud, within, for_each, noise, highest_choice),
-      m_high(cloud, within, noise ? 0 : highest_of_orders)
+    : m_automatic(cloud, within, for_each, noise, highest_choice), m_cloud(m_automatic.cloud()),
+      m_high(m_cloud, within, noise ? 0 : highest_of_orders)
   {
     learn_high_degrees(for_each);
     if (order > 2)
@@ -107,7 +107,7 @@ private:
   // they end in a straight line their middle is 0.42 radii away.
   bool lies_beyond_samples(std::size_t i, const Indices& near, const Point_scale& choice) const
   {
-    if (m_cloud.is_sample(i)) return false;
+    if (m_cloud.has_data(i)) return false;
     double radius = choice.normal.radius;
     for (const Choice& c : choice.curvatures) radius = std::min(radius, c.radius);
     const Indices samples = inside(m_cloud, near, {m_cloud.points[i], {}}, radius);
@@ -189,8 +189,8 @@ private:
     return result;
   }
 
-  Cloud m_cloud;
   Automatic_scale<Within> m_automatic;
+  Cloud m_cloud;
   High_degrees<Within> m_high;
   std::vector<averaging::Order_choice<Fits>> m_higher; // order 3, and 4
 };
