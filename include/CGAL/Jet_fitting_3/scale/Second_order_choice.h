@@ -274,10 +274,7 @@ private:
   }
 
   // Means over a part of the surface err by less than curvatures differ on all of it. In 1 / length^2.
-  double most_squared_bias(const Place& place) const
-  {
-    return 0.5 * std::max(m_variation, m_models[place.model].variation);
-  }
+  double most_squared_bias(const Place& place) const { return std::max(m_variation, m_models[place.model].variation); }
 
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
   {
