@@ -13,7 +13,7 @@
 // Root mean squares and medians over every EVERY-th point (20). "seed": position and normal noise from one seed, as in
 // the survey: the normal's noise is ten times the point's, vector by vector. "free": independent.
 
-#include "surfaces.h"
+#include "samples.h"
 
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
@@ -33,9 +33,6 @@ using survey::Vector;
 
 namespace {
 
-const char* const quantities[] = {"H", "K1", "K2", "normal", "D1"};
-constexpr int number_of_quantities = 5;
-
 // [surface, sigma, quantity]: the best of all, the best of those that use no normals.
 using Published = std::map<std::tuple<std::string, double, std::string>, std::pair<double, double>>;
 
@@ -54,28 +51,16 @@ Published read_published(const char* name)
   return published;
 }
 
-double degrees(const Vector& a, const Vector& b)
-{
-  const Vector c = cross(a, b);
-  return std::atan2(std::sqrt(dot(c, c)), std::abs(dot(a, b))) * 180 / std::acos(-1.);
-}
-
-// Errors as the survey has them: curvatures without sign, directions of no meaning where curvatures are equal.
-std::array<double, 5> errors(const jets::Jet<double>& jet, const scale::Local_frame& frame, const survey::Truth& truth)
+survey::Found found(const jets::Jet<double>& jet, const scale::Local_frame& frame)
 {
   const jets::Monge_basis<double> m = jets::monge_basis(jet, frame.axes);
-  const bool first = std::abs(m.k1) <= std::abs(m.k2);
-  const double k1 = first ? m.k1 : m.k2, k2 = first ? m.k2 : m.k1;
-  const Vector direction = frame.axes.out(first ? m.axes.x : m.axes.y);
-  const bool is_umbilic = std::abs(std::abs(truth.small) - std::abs(truth.large)) < 1e-6;
-  return {std::abs(std::abs(k1 + k2) - std::abs(truth.small + truth.large)) / 2,
-          std::abs(std::abs(k1) - std::abs(truth.small)), std::abs(std::abs(k2) - std::abs(truth.large)),
-          degrees(frame.axes.out(m.axes.z), truth.normal), is_umbilic ? 0 : degrees(direction, truth.direction)};
+  const auto out = [&frame](const Vector& v) { return frame.axes.out(v); };
+  return {(m.k1 + m.k2) / 2, m.k1, m.k2, out(m.axes.x), out(m.axes.y), out(m.axes.z)};
 }
 
 struct Row
 {
-  std::array<double, 5> rms, median;
+  std::array<double, survey::number_of_quantities> rms, median;
 };
 
 struct Within
@@ -88,23 +73,17 @@ struct Within
 Row run(const survey::Surface& surface, const std::vector<Vector>& exact, double sigma, bool with_normals,
         bool one_seed, std::size_t every)
 {
-  survey::Random random(1);
-  std::vector<Vector> points, normals;
-  for (const Vector& p : exact) {
-    const Vector e = random.normal_vector(), f = random.normal_vector();
-    points.push_back(p + sigma * e);
-    normals.push_back(scale::unit_vector(survey::truth(surface, p).normal + 10 * sigma * (one_seed ? e : f)));
-  }
+  const auto [points, normals] = survey::noisy_samples(surface, exact, sigma, one_seed);
   const survey::Grid grid(points, .08);
   const scale::Cloud cloud{points.data(), with_normals ? normals.data() : nullptr, points.size()};
   const scale::Automatic_scale<Within> automatic(cloud, Within{&grid, &points});
   jets::Orthogonal_solver<double> solver;
   scale::Indices near;
-  std::array<std::vector<double>, 5> all;
+  std::array<std::vector<double>, survey::number_of_quantities> all;
   for (std::size_t i = 0; i < points.size(); i += every) {
     const scale::Point_scale choice = automatic(i, near);
     const auto jet = scale::jet_at_scale(automatic.cloud(), near, choice, 2, automatic.ladder(choice), solver);
-    const auto e = errors(jet.value(), choice.frame, survey::truth(surface, exact[i]));
+    const auto e = survey::errors(found(jet.value(), choice.frame), survey::truth(surface, exact[i]));
     for (std::size_t q = 0; q < e.size(); ++q) all[q].push_back(e[q]);
   }
   Row row;
@@ -121,9 +100,9 @@ void print(const std::string& surface, double sigma, const std::string& from, co
            const Published& published)
 {
   std::printf("%-13s %-6g %-10s", surface.c_str(), sigma, from.c_str());
-  for (std::size_t q = 0; q < number_of_quantities; ++q) {
-    const auto peer = published.find({surface, sigma, quantities[q]});
-    std::printf("  %s %.3g (%.3g)", quantities[q], row.rms[q], row.median[q]);
+  for (std::size_t q = 0; q < survey::number_of_quantities; ++q) {
+    const auto peer = published.find({surface, sigma, survey::quantities[q]});
+    std::printf("  %s %.3g (%.3g)", survey::quantities[q], row.rms[q], row.median[q]);
     if (peer != published.end()) std::printf(" | %.3g", from == "positions" ? peer->second.second : peer->second.first);
   }
   std::printf("\n");

@@ -29,8 +29,8 @@ inline Vector_3<double> to_middle(const Cloud& cloud, const Indices& near, std::
   return (1 / double(near.size())) * (sum - dot(sum, cloud.normals[i]) * cloud.normals[i]);
 }
 
-/// By how much the normal of a point at a border is turned outwards beside what those farther inside tell, where normals
-/// turn evenly.
+/// By how much the normal of a point at a border is turned outwards beside what those farther inside tell, where
+/// normals turn evenly.
 /// \param near its neighbors, \param at_border flags of those that do not tell
 inline double turned_outwards(const Cloud& cloud, const Indices& near, const std::vector<char>& at_border,
                               std::size_t i)
