@@ -134,6 +134,22 @@ struct Squares
   double rms(int q) const { return std::sqrt(of[q] / double(count)); }
 };
 
+// At every so many points.
+Squares errors_of_choices(const std::string& name, const scale::Automatic_scale<Within>& automatic,
+                          const Noisy_cloud& noisy, std::size_t every)
+{
+  jets::Orthogonal_solver<double> solver;
+  Squares squares;
+  Indices near;
+  for (std::size_t i = 0; i < size; i += every) {
+    const scale::Point_scale choice = automatic(i, near);
+    test::check_true(choice.is_chosen, name + ": there is a choice");
+    squares.add(*scale::jet_at_scale(automatic.cloud(), near, choice, 2, automatic.ladder(choice), solver),
+                choice.frame, noisy.truth[i]);
+  }
+  return squares;
+}
+
 // The best of all radii and degrees, each fixed for the whole cloud, for each quantity by itself, knowing the truth.
 Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Within& within,
                    const scale::Automatic_scale<Within>& automatic, std::size_t every)
@@ -172,15 +188,7 @@ void near_the_best_fixed_choice(const std::string& name, Place (*surface)(double
   test::check_near(automatic.noise().position, noise, .07 * noise, name + ": noise of positions");
   if (with_normals) test::check_near(automatic.noise().normal, 10 * noise, .07 * 10 * noise, name + ": of normals");
 
-  jets::Orthogonal_solver<double> solver;
-  Squares squares;
-  Indices near;
-  for (std::size_t i = 0; i < size; i += every) {
-    const scale::Point_scale choice = automatic(i, near);
-    test::check_true(choice.is_chosen, name + ": there is a choice");
-    squares.add(*scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(choice), solver), choice.frame,
-                noisy.truth[i]);
-  }
+  const Squares squares = errors_of_choices(name, automatic, noisy, every);
   const Squares best = best_fixed(cloud, noisy, within, automatic, every);
   const char* quantities[] = {"H", "k1", "k2", "normal"};
   // on so few points the ratios are 0.6 to 1.9
@@ -200,18 +208,10 @@ void normals_that_err_with_positions()
   for (const bool from_one_seed : {false, true}) {
     const Noisy_cloud noisy(on_short_cylinder, .015, .15, from_one_seed);
     const scale::Automatic_scale<Within> automatic(noisy.cloud(true), Within{&noisy.points});
-    jets::Orthogonal_solver<double> solver;
-    Squares squares;
-    Indices near;
-    for (std::size_t i = 0; i < size; i += 10) {
-      const scale::Point_scale choice = automatic(i, near);
-      const scale::Cloud& cloud = automatic.cloud();
-      squares.add(*scale::jet_at_scale(cloud, near, choice, 2, automatic.ladder(choice), solver), choice.frame,
-                  noisy.truth[i]);
-    }
+    const std::string name = from_one_seed ? "short cylinder, noise of one seed" : "short cylinder, noise of two seeds";
+    const Squares squares = errors_of_choices(name, automatic, noisy, 10);
     errors[from_one_seed] = squares.rms(1);
-    std::cout << "short cylinder, noise of " << (from_one_seed ? "one seed: " : "two seeds: ") << squares.rms(0) << ' '
-              << squares.rms(1) << ' ' << squares.rms(2) << std::endl;
+    std::cout << name << ": " << squares.rms(0) << ' ' << squares.rms(1) << ' ' << squares.rms(2) << std::endl;
   }
   test::check_le(errors[1], 1.5 * errors[0], "error of k1 where noise is the same");
 }

@@ -26,7 +26,6 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -140,10 +139,9 @@ void build_tree(const survey::Samples& samples)
 
 using Factory = EstimatorFactory<SmoothWeightFunc>;
 
-void run(Factory& factory, const std::string& name, const survey::Surface& surface, double sigma, std::size_t size,
-         std::size_t every)
+void run(Factory& factory, const std::string& name, const survey::Surface& surface, const std::vector<Vector>& exact,
+         double sigma, std::size_t every)
 {
-  const std::vector<Vector> exact = survey::spread_points(surface, size);
   Best_of_quantities positions;
   for (const bool from_one_seed : {false, true}) {
     if (from_one_seed && sigma == 0) continue;
@@ -174,10 +172,10 @@ int main(int argc, char** argv)
   const auto argument = [&](int k, const char* otherwise) { return std::string(argc > k ? argv[k] : otherwise); };
   const std::string which = argument(1, "all"), level = argument(2, "all");
   const std::size_t size = std::stoul(argument(3, "50000")), every = std::stoul(argument(4, "20"));
-  std::vector<double> sigmas{0, .0025, .005, .0075, .01, .015};
-  if (level != "all") sigmas = {std::stod(level)};
   Factory factory;
-  for (const auto& [name, surface] : survey::surfaces())
-    for (const double sigma : sigmas)
-      if (which == "all" || which == name) run(factory, name, surface, sigma, size, every);
+  for (const auto& [name, surface] : survey::surfaces()) {
+    if (which != "all" && which != name) continue;
+    const std::vector<Vector> exact = survey::spread_points(surface, size);
+    for (const double sigma : survey::sigmas(level)) run(factory, name, surface, exact, sigma, every);
+  }
 }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 // The noise of the survey, and its measure of errors.
@@ -19,6 +20,13 @@ namespace survey {
 
 constexpr std::size_t number_of_quantities = 5;
 constexpr std::array<const char*, number_of_quantities> quantities{"H", "K1", "K2", "normal", "D1"};
+
+// The noise of a coordinate: that which is asked for, or "all".
+inline std::vector<double> sigmas(const std::string& level)
+{
+  if (level != "all") return {std::stod(level)};
+  return {0, .0025, .005, .0075, .01, .015};
+}
 
 struct Samples
 {

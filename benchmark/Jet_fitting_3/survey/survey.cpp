@@ -121,13 +121,11 @@ int main(int argc, char** argv)
   const Published published = read_published(argv[1]);
   const std::string which = argument(2, "all"), level = argument(3, "all");
   const std::size_t size = std::stoul(argument(4, "50000")), every = std::stoul(argument(5, "20"));
-  std::vector<double> sigmas{0, .0025, .005, .0075, .01, .015};
-  if (level != "all") sigmas = {std::stod(level)};
   std::cout << "surface sigma data: quantity RMS (median) | the survey's best\n";
   for (const auto& [name, surface] : survey::surfaces()) {
     if (which != "all" && which != name) continue;
     const std::vector<Vector> exact = survey::spread_points(surface, size);
-    for (const double sigma : sigmas) {
+    for (const double sigma : survey::sigmas(level)) {
       print(name, sigma, "positions", run(surface, exact, sigma, false, false, every), published);
       print(name, sigma, "free", run(surface, exact, sigma, true, false, every), published);
       if (sigma > 0) print(name, sigma, "seed", run(surface, exact, sigma, true, true, every), published);

@@ -58,8 +58,8 @@ public:
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
               const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
               std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
-    : m_automatic(cloud, within, for_each, noise, highest_choice), m_cloud(m_automatic.cloud()),
-      m_high(m_cloud, within, noise ? 0 : highest_of_orders)
+    : m_automatic(cloud, within, for_each, noise, highest_choice),
+      m_high(m_automatic.cloud(), within, noise ? 0 : highest_of_orders)
   {
     learn_high_degrees(for_each);
     if (order > 2)
@@ -84,7 +84,7 @@ public:
     const Local_frame& frame = e.choice.frame;
     const std::vector<averaging::Order_estimate> higher = higher_orders(i, order, e.choice);
     std::optional<Jet<double>> found =
-        jet_at_scale(m_cloud, near, e.choice, order, m_automatic.ladder(e.choice), solver, 2 + higher.size());
+        jet_at_scale(cloud(), near, e.choice, order, m_automatic.ladder(e.choice), solver, 2 + higher.size());
     e.is_determined = found.has_value();
     if (!found) return e;
     Jet<double>& jet = *found;
@@ -93,7 +93,7 @@ public:
     if (!higher.empty()) e.third_order_errors = {higher[0].error(0), higher[0].error(3)};
     if (jet(2, 0) < jet(0, 2)) std::swap(e.third_order_errors[0], e.third_order_errors[1]);
     const Monge_basis<double> monge = monge_basis(jet, frame.axes);
-    e.origin = frame.origin - m_cloud.points[i] + jet(0, 0) * frame.axes.z;
+    e.origin = frame.origin - cloud().points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
     e.coefficients = monge_coefficients(jet, monge, order);
     e.curvature_errors = scale::curvature_errors(e.choice, monge, m_automatic.ladder(e.choice).noise.normal);
@@ -103,18 +103,20 @@ public:
 private:
   using Fits = Fits_to_balls<Within>;
 
+  const Cloud& cloud() const { return m_automatic.cloud(); }
+
   // A point that is no sample itself may lie outside of those that are, where a polynomial may have any value. Where
   // they end in a straight line their middle is 0.42 radii away.
   bool lies_beyond_samples(std::size_t i, const Indices& near, const Point_scale& choice) const
   {
-    if (m_cloud.has_data(i)) return false;
+    if (cloud().has_data(i)) return false;
     double radius = choice.normal.radius;
     for (const Choice& c : choice.curvatures) radius = std::min(radius, c.radius);
-    const Indices samples = inside(m_cloud, near, {m_cloud.points[i], {}}, radius);
-    Vector_3<double> sum{0, 0, 0};
-    for (const std::size_t k : samples) sum = sum + (m_cloud.points[k] - m_cloud.points[i]);
-    const double most = 0.5 * radius * double(samples.size());
-    return !(dot(sum, sum) < most * most);
+    const Vector_3<double>& point = cloud().points[i];
+    const Indices samples = inside(cloud(), near, {point, {}}, radius);
+    if (samples.empty()) return true;
+    const Vector_3<double> d = to_middle(cloud(), samples, point);
+    return !(dot(d, d) < 0.25 * radius * radius);
   }
 
   // Of high degree where that has been learned to be better; where it is worse than expected the better one.
@@ -170,7 +172,7 @@ private:
     std::vector<double> radii{1};
     while (radii.size() < least_rungs) radii.push_back(ladder_step * radii.back());
     for (std::size_t d = 3; d <= order; ++d)
-      m_higher.emplace_back(Fits(m_cloud, within, d), radii, highest, places, frame_at, each);
+      m_higher.emplace_back(Fits(cloud(), within, d), radii, highest, places, frame_at, each);
   }
 
   // Those above 2, as far as they are asked for and can be told.
@@ -190,7 +192,6 @@ private:
   }
 
   Automatic_scale<Within> m_automatic;
-  Cloud m_cloud;
   High_degrees<Within> m_high;
   std::vector<averaging::Order_choice<Fits>> m_higher; // order 3, and 4
 };

@@ -175,16 +175,21 @@ inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std
   return frame;
 }
 
+/// From an origin to the middle of points, of which there are some.
+inline Vector_3<double> to_middle(const Cloud& cloud, const Indices& of, const Vector_3<double>& origin)
+{
+  Vector_3<double> sum{0, 0, 0};
+  for (const std::size_t k : of) sum = sum + (cloud.points[k] - origin);
+  return (1 / double(of.size())) * sum;
+}
+
 /// How far the middle of the samples in a ball lies beside its own, per radius: 0.42 at a straight border.
 inline double lean(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
 {
-  double x = 0, y = 0, n = 0;
-  for (const std::size_t k : inside(cloud, near, frame, radius)) {
-    x += dot(cloud.points[k] - frame.origin, frame.axes.x);
-    y += dot(cloud.points[k] - frame.origin, frame.axes.y);
-    n += 1;
-  }
-  return n > 0 ? std::sqrt(x * x + y * y) / (n * radius) : 0;
+  const Indices samples = inside(cloud, near, frame, radius);
+  if (samples.empty()) return 0;
+  const Vector_3<double> d = to_middle(cloud, samples, frame.origin);
+  return std::hypot(dot(d, frame.axes.x), dot(d, frame.axes.y)) / radius;
 }
 
 /// The direction in which the points of a ball spread least.
