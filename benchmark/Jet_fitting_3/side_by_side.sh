@@ -50,6 +50,11 @@ programs() {
   }
 }
 
+# has_program <folder> <target>: whether it was declared there; what it requires may be missing.
+has_program() {
+  cmake --build "$1" --target help | grep "$2" > /dev/null
+}
+
 echo "building with $compiler $flags" >&2
 sides='fits_per_second_ours fits_per_second_cgal point_normals_ours point_normals_cgal mesh_throughput mesh_throughput_cgal point_throughput'
 programs "$work/cgal" "$sides compare_answers"
@@ -57,7 +62,7 @@ data=$(sed -n 's/^CGAL_DATA_DIR:[A-Z]*=//p' "$work/cgal/CMakeCache.txt")
 
 two_threads=
 if [ "$mode" = full ]; then
-  if cmake --build "$work/cgal" --target help | grep -q mesh_throughput_two_threads; then
+  if has_program "$work/cgal" mesh_throughput_two_threads; then
     two_threads=$work/cgal/mesh_throughput_two_threads
     programs "$work/cgal" mesh_throughput_two_threads
   else
@@ -121,8 +126,15 @@ done
 
 if [ -n "${PEERS_DIR:-}" ] && [ "$mode" = full ]; then
   echo "libigl, vcglib, Ponca and PCL" >&2
-  programs "$work/peers" "mesh_peers point_peers" "-DPEERS_DIR=$PEERS_DIR"
-  for program in mesh_peers point_peers; do
+  programs "$work/peers" mesh_peers "-DPEERS_DIR=$PEERS_DIR"
+  peer_programs=mesh_peers
+  if has_program "$work/peers" point_peers; then
+    programs "$work/peers" point_peers
+    peer_programs="mesh_peers point_peers"
+  else
+    echo "side_by_side.sh: without PCL there are no points to compare" >&2
+  fi
+  for program in $peer_programs; do
     # shellcheck disable=SC2086
     ${RUN:-} "$work/peers/$program" 2>> "$work/log"
   done
