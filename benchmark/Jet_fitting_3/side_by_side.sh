@@ -126,15 +126,13 @@ done
 
 if [ -n "${PEERS_DIR:-}" ] && [ "$mode" = full ]; then
   echo "libigl, vcglib, Ponca and PCL" >&2
-  programs "$work/peers" mesh_peers "-DPEERS_DIR=$PEERS_DIR"
-  peer_programs=mesh_peers
-  if has_program "$work/peers" point_peers; then
-    programs "$work/peers" point_peers
-    peer_programs="mesh_peers point_peers"
-  else
-    echo "side_by_side.sh: without PCL there are no points to compare" >&2
-  fi
-  for program in $peer_programs; do
+  programs "$work/peers" help "-DPEERS_DIR=$PEERS_DIR"
+  for program in mesh_peers point_peers; do
+    if ! has_program "$work/peers" "$program"; then
+      echo "side_by_side.sh: $program is left out, $work/peers.log says what it needs" >&2
+      continue
+    fi
+    programs "$work/peers" "$program"
     # shellcheck disable=SC2086
     ${RUN:-} "$work/peers/$program" 2>> "$work/log"
   done

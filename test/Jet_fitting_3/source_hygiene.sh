@@ -78,7 +78,6 @@ done | awk '
     also("values", "numeric")
     also("steps", may["values"])
     also("solvers", may["values"])
-    also("scale", may["values"])
     also("noise", may["steps"])
     also("estimation", may["noise"])
     also("scale", may["noise"])

@@ -14,7 +14,6 @@
 #include "on_this_processor.h"
 #include "sharp_edges.h"
 
-#include <CGAL/Jet_fitting_3/scale/Moments.h>
 #include <CGAL/estimate_point_monge_forms.h>
 #include <CGAL/estimate_side_monge_forms.h>
 
@@ -22,7 +21,6 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/irange.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -59,12 +57,13 @@ inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& e
   }
 }
 
-// Of the jets: the one that is asked for, or up to which it is chosen.
+// Of the form and of the jets, as named parameters; which degrees automatic() tries is its own affair.
 template <class Neighborhood>
-std::size_t highest_degree(const Arguments& a)
+auto degrees(const Arguments& a)
 {
-  const bool is_chosen = std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value;
-  return is_chosen ? (std::max)(a.degree_monge, CGAL::Jet_fitting::averaging::highest_degree) : a.degree_jet;
+  if constexpr (std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value)
+    return CGAL::parameters::degree_monge(a.degree_monge);
+  else return CGAL::parameters::degree_monge(a.degree_monge).degree_fitting(a.degree_jet);
 }
 
 // One call with all named parameters, whether they have an effect or not: compiling a second one takes long.
@@ -85,8 +84,7 @@ Estimates estimate_mesh(const Mesh& mesh, const Edge_marks& is_sharp, const Neig
   estimates.sides.resize(mesh.number_of_halfedges());
   estimates.forms.reserve(mesh.number_of_vertices());
   const auto np =
-      CGAL::parameters::degree_fitting(highest_degree<Neighborhood>(a))
-          .degree_monge(a.degree_monge)
+      degrees<Neighborhood>(a)
           .edge_is_constrained_map(boost::make_iterator_property_map(is_sharp.begin(), get(boost::edge_index, mesh)))
           .callback(callback);
   if constexpr (std::is_same<Neighborhood, CGAL::Jet_fitting::Automatic>::value)
@@ -120,12 +118,7 @@ Estimates estimate_points(const Mesh& mesh, const Context& context, const Neighb
   estimates.forms.reserve(all.size());
   estimates.summary = CGAL::estimate_point_monge_forms<CGAL::Parallel_if_available_tag>(
       boost::irange(std::size_t(0), all.size()), neighborhood, std::back_inserter(estimates.forms),
-      CGAL::parameters::degree_fitting(highest_degree<Neighborhood>(a))
-          .degree_monge(a.degree_monge)
-          .point_map(point_map(all))
-          .normal_map(normal_map(all))
-          .callback(callback),
-      a.options);
+      degrees<Neighborhood>(a).point_map(point_map(all)).normal_map(normal_map(all)).callback(callback), a.options);
   estimates.forms.resize(mesh.number_of_vertices());
   return estimates;
 }

@@ -61,9 +61,11 @@ inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_s
   if (!has_normals) return estimates;
   a.options.use_normals = true;
   Estimates with_normals;
+  std::string why_not;
   try {
     with_normals = attempt(0.5, 1);
-  } catch (const CGAL::Jet_fitting::Invalid_input&) { // their noise cannot be told
+  } catch (const CGAL::Jet_fitting::Invalid_input& e) { // as where their noise cannot be told
+    why_not = std::string(" (") + e.what() + ")";
   }
   const double error = expected_error(estimates), error_with = expected_error(with_normals);
   a.options.use_normals = error_with < error;
@@ -75,8 +77,8 @@ inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_s
          << (a.options.use_normals ? "data"
              : a.of_points         ? "not data, they only orient"
                                    : "not data")
-         << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them, "
-         << error_in_words(error) << " without";
+         << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them" << why_not
+         << ", " << error_in_words(error) << " without";
   remarks.push_back(text.str());
   return a.options.use_normals ? with_normals : estimates;
 }
@@ -107,21 +109,24 @@ inline Estimates estimate(const Mesh& mesh, const Edge_marks& is_sharp, const Co
   };
   std::string why_not = why_not_automatic(a, mesh.number_of_vertices());
   a.is_automatic = a.leaves_choice && why_not.empty();
+  Estimates estimates;
   if (a.is_automatic) try {
-      Estimates estimates = estimate_automatically(mesh, is_sharp, has_normals, a, remarks, show);
-      if (estimates.count(CGAL::Jet_fitting::Status_flag::estimated) == estimates.size()) return estimates;
-      const std::size_t count = fill_up(estimates, estimate_fixed([](double) {}));
-      if (count > 0)
-        remarks.push_back(std::to_string(count) + (a.of_points ? " points" : " vertices") +
-                          " have too few neighbors for a choice from the data; there it is the fixed one");
-      return estimates;
-    } catch (const CGAL::Jet_fitting::Invalid_input&) { // as in many CAD parts
-      why_not = "too few of them, or with too few neighbors, to tell the noise";
+      estimates = estimate_automatically(mesh, is_sharp, has_normals, a, remarks, show);
+    } catch (const CGAL::Jet_fitting::Invalid_input& e) { // as in many CAD parts, which have too few vertices
+      why_not = e.what();
       a.is_automatic = a.options.use_normals = false;
     }
-  if (a.leaves_choice)
-    remarks.push_back("degree and neighbors are the fixed choice, not chosen from the data: " + why_not);
-  return estimate_fixed(show);
+  if (!a.is_automatic) {
+    if (a.leaves_choice)
+      remarks.push_back("degree and neighbors are the fixed choice, not chosen from the data: " + why_not);
+    return estimate_fixed(show);
+  }
+  if (estimates.count(CGAL::Jet_fitting::Status_flag::estimated) == estimates.size()) return estimates;
+  const std::size_t count = fill_up(estimates, estimate_fixed([](double) {}));
+  if (count > 0)
+    remarks.push_back(std::to_string(count) + (a.of_points ? " points" : " vertices") +
+                      " have too few neighbors for a choice from the data; there it is the fixed one");
+  return estimates;
 }
 
 } // namespace tool

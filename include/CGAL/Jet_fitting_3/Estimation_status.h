@@ -27,6 +27,8 @@ enum class Status_flag : std::uint16_t
   /// Fewer than (d+1)(d+2)/2 points for the degree d that was asked for.
   too_few_points = 8,
   /// The points do not determine a jet of the degree d that was asked for: they coincide, or lie on an algebraic curve.
+  /// With automatic(), where normals of a point set are data, also: a fit leans more than 45 degrees from the tangent
+  /// plane.
   rank_deficient = 16,
   /// With Options::lower_degree: a smaller degree was fitted, because of one of the last two.
   degree_lowered = 32,
@@ -36,7 +38,8 @@ enum class Status_flag : std::uint16_t
   one_sided = 64,
   /// Principal directions mean little. Either k1 and k2 differ by less than a tenth of the larger one, and by no more
   /// than the residual leaves open, which is about 3 d rms / h^2 (h^2 being the variance of the points in their plane),
-  /// or both are below that, as on a plane.
+  /// or both are below that, as on a plane. With automatic(), e^2 being bias^2 + standard_deviation^2 of Chosen_scale:
+  /// they differ by at most a tenth of the larger one and by at most 3 e, or both are at most 2 e.
   near_umbilic = 128,
   /// The variance of the points across their plane is above a quarter of that along its narrower axis: the direction
   /// in which heights are measured may be far from the normal.

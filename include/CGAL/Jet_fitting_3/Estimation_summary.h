@@ -40,8 +40,8 @@ struct Chosen_scale
   /// in 95 of 100 cases; the manual says how far they do.
   std::array<double, 2> curvature_errors{};
 
-  /// Standard errors of b0 and of b3, 1/length^2, that contain noise and bias; 0 if they were not chosen for: below
-  /// degree 3, and on point sets.
+  /// Standard errors of b0 and of b3, 1/length^2, that contain noise and bias; 0 if they were not chosen for, as below
+  /// degree 3.
   std::array<double, 2> third_order_errors{};
 };
 

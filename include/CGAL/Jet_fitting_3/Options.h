@@ -88,10 +88,12 @@ struct Options : Fit_options
   /// The normals of `vertex_normal_map` or `normal_map` are data, and not only orient the forms: jets are fitted to
   /// positions and normals (steps/gauss_map_fitting.h), from a third of the points that a plain fit needs. With
   /// position_noise and normal_noise, if they are known; otherwise each fit estimates them. A point whose normal is
-  /// zero or not finite is no sample. Least squares only. With automatic() the noise is that of the whole point set or
-  /// mesh; on a mesh normals that follow from the faces are no data, and their noise is reported as infinite; a point
-  /// that is no sample has a form among those that are, none beyond them: its status is Status_flag::too_few_points or,
-  /// where the fit leans by more than 45 degrees from the tangent plane, Status_flag::rank_deficient.
+  /// zero or not finite is no sample. Least squares only.
+  ///
+  /// With automatic() the noise is that of the whole point set or mesh. On a mesh, normals that follow from the faces
+  /// are ignored, and their noise is reported as infinite. A point of a set that is no sample still gets a form if
+  /// samples surround it; otherwise its status is Status_flag::too_few_points. Of any point of a set it is
+  /// Status_flag::rank_deficient where a fit leans more than 45 degrees from the tangent plane.
   bool use_normals = false;
 
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as

@@ -15,14 +15,14 @@ namespace Jet_fitting {
 /// \ingroup PkgJetFitting3Neighborhoods
 /// Radius and degree chosen from the data, for each point or vertex: nothing is to be guessed.
 ///
-/// For a point set the noise is estimated (or given, by Options::position_noise and normal_noise), and where some
-/// parts are several times as dense as others, that of each; for a subsample, jets of degrees 2 and 4 in balls of many
-/// radii are compared, which tells their bias; each point takes those with the least bias and variance, the normal and
-/// each second derivative in principal axes for itself. From positions alone it takes the radii and degrees of the
-/// nearest point of the subsample, unless they are much worse for it. Radii begin where a ball holds about 45 points,
-/// with the density of points around. Where many points are copies of others up to rounding, within a five-hundredth of
-/// that radius, those are no neighbors. With Options::use_normals the jets are fitted to positions and normals; too few
-/// normals around a point that are known (not zero) are too few points.
+/// For a point set the noise is estimated (or given, by Options::position_noise and normal_noise), and where some parts
+/// are several times as dense as others, that of each; for a subsample, jets of degrees 2 and 4, and 3 for the normal,
+/// in balls of many radii are compared, which tells their bias; each point takes those with the least bias and
+/// variance, the normal and each second derivative in principal axes for itself. From positions alone it takes the
+/// radii and degrees of the nearest point of the subsample, unless they are much worse for it. Radii begin where a ball
+/// holds about 45 points, with the density of points around. Where many points are copies of others up to rounding,
+/// within a five-hundredth of that radius, those are no neighbors. With Options::use_normals the jets are fitted to
+/// positions and normals; too few normals around a point that are known (not zero) are too few points.
 ///
 /// On a mesh: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the weights of least
 /// variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which may differ from
@@ -31,22 +31,23 @@ namespace Jet_fitting {
 /// above 4 come from one fit of degree `degree_monge`. With Options::use_normals the normals of the vertices join all
 /// fits to order 4, and where they are good, radii for order 2 begin with one ring; normals that follow from the faces,
 /// as those of Polygon_mesh_processing::compute_vertex_normals() do, say nothing that positions do not say, and are
-/// left aside. The origin is the vertex itself. Where edges are more than three times as long in one
-/// direction as across it, the surface turns by less than .2 radians along them, and normals are no data, so are
-/// neighborhoods. Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the first rings
-/// that have 14 vertices is taken, and tells large errors.
+/// left aside. The origin is the vertex itself. Where edges are more than three times as long in one direction as
+/// across it, the surface turns by less than .2 radians along them, and normals are no data, so are neighborhoods.
+/// Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the first rings that have 14
+/// vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
 /// any. For a point set degrees go up to 4, and where noise, if it is not given, is far below what degree 4 leaves in
-/// the smallest balls, up to 8, with normals to 6; coefficients of orders above 2 come from one fit, in the ball that
-/// was chosen for the larger curvature. Estimation_summary::quality() tells radius and degree, bias and standard
-/// deviation of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the
-/// curvatures and, for meshes, of third order coefficients; but nothing of one fit, of which there are several. Nor is
-/// a status one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused, but
-/// for one: with Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or
-/// whose normal is as far from that fit with use_normals, are outliers (Status_flag::outlier): nobody's neighbors.
-/// With use_normals points of a set that lie no farther inside a border than noise moves points are nobody's neighbors
-/// either, if their normals are seen to be turned outwards, as where the noise of normals goes with that of positions.
+/// the smallest balls, up to 8, with normals to 6. Derivatives of order 3, and without normals of order 4, have radii,
+/// degrees and weights of their own, from degrees 3 and 5, 4 and 6; higher ones come from one fit, in a ball that was
+/// chosen for a second derivative. Estimation_summary::quality() tells radius and degree, bias and standard deviation
+/// of the curvatures, infinite where nothing is known of the bias, and errors that contain the bias, of the curvatures
+/// and of the third order coefficients b0 and b3; but nothing of one fit, of which there are several. Nor is a status
+/// one_sided or pca_ambiguous set. Weights, robust losses and standard errors are refused, but for one: with
+/// Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or whose normal is as
+/// far from that fit with use_normals, are outliers (Status_flag::outlier): nobody's neighbors. With use_normals points
+/// of a set that lie no farther inside a border than noise moves points are nobody's neighbors either, if their normals
+/// are seen to be turned outwards, as where the noise of normals goes with that of positions.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting
