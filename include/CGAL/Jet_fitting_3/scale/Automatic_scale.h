@@ -232,7 +232,7 @@ private:
       Indices near;
       const Rung_range all{ladder.first, ends[k]};
       ladders[k] = local_ladder_at(sample[k], ladder, {all, {all, all}}, near);
-      Indices().swap(ladders[k].over_surface); // is not needed, and long
+      std::vector<Indices>().swap(ladders[k].over_surface); // is not needed, and long
       if (m_ladders.size() == 1) close[k] = inside(m_cloud, near, {m_cloud.points[sample[k]], {}}, ladder.radii[1]);
     };
     for_each((sample.size() + sparse - 1) / sparse, [&](std::size_t n) { fit(n * sparse); });

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -89,12 +90,11 @@ private:
     const Neighbors_in_balls neighbors(m_cloud, near, frame, ladder, looks);
     const Balls& balls = neighbors.balls();
     const Row_weights weights(m_cloud, ladder.noise, balls.unit());
-    const std::vector<Second_order> low =
-        fits_of_degree_2(neighbors.template sums<2>(neighbors.in_balls()), weights, balls);
+    const std::vector<Second_order> low = fits_of_degree_2(sums_of_balls<2>(neighbors.in_balls()), weights, balls);
     find_surfaces(looks, low, ladder);
-    const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
+    auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
     Samples samples;
-    samples.places = neighbors.places(shells);
+    samples.places = std::move(shells.places);
     for (Vector_3<double>& p : samples.places) p = (balls.unit() / unit(ladder)) * p;
     samples.ends.assign(shells.ends.begin() + std::ptrdiff_t(ladder.first), shells.ends.end());
     return samples;

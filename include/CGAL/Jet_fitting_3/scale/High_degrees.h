@@ -169,25 +169,25 @@ public:
     scale.level = level;
     scale.frame = turned(frame, turn_towards(chosen.axis, frame));
     std::size_t rung = chosen.rung; // or the next, where points are less dense
-    scale.over_surface = inside(m_cloud, near, frame, ladder.radii[rung]);
-    if (!has_neighbors(scale.over_surface, chosen.degree))
-      scale.over_surface = inside(m_cloud, near, frame, ladder.radii[++rung]);
-    if (!has_neighbors(scale.over_surface, chosen.degree)) return std::nullopt;
+    Indices neighbors = inside(m_cloud, near, frame, ladder.radii[rung]);
+    if (!has_neighbors(neighbors, chosen.degree)) neighbors = inside(m_cloud, near, frame, ladder.radii[++rung]);
+    if (!has_neighbors(neighbors, chosen.degree)) return std::nullopt;
     const double radius = ladder.radii[rung];
     const Fit_at_scale fit =
-        fit_to_samples(m_cloud, scale.over_surface, scale.frame, radius, chosen.degree, ladder.noise, solver);
+        fit_to_samples(m_cloud, neighbors, scale.frame, radius, chosen.degree, ladder.noise, solver);
     if (!is_determined(fit, chosen.degree)) return std::nullopt;
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(fit.fit.jet.part(k), k + 1, scale.jet.part(k));
-    const Fitted_derivatives d = Derivatives_of_degrees(fit, rows(scale.over_surface))(chosen.degree);
+    const Fitted_derivatives d = Derivatives_of_degrees(fit, rows(neighbors))(chosen.degree);
     const double worse =
         std::max(std::pow(radius / ladder.radii[chosen.rung], 2 * chosen.degree), d.residual / chosen.residual);
     Choice* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
     for (std::size_t t = 0; t < number_of_targets; ++t) {
       const double bias = worse * chosen.squared_biases[t];
-      *choices[t] = {
-          radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown, 1, scale.over_surface.size()};
+      *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown, 1, neighbors.size()};
     }
     scale.in_ball = scale.curvatures[0];
+    scale.over_surface.resize(rung + 1);
+    scale.over_surface[rung] = std::move(neighbors);
     return scale;
   }
 

@@ -19,6 +19,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,8 +52,8 @@ struct Local_ladder
     return shape == Shape::ball ? candidates : shape == Shape::flat_ball ? flat : elongated[number_of_ellipse(shape)];
   }
 
-  std::vector<Look> looks; ///< from positions alone
-  Indices over_surface;    ///< from positions alone: the first so many are those of a candidate of degree 3 or 4
+  std::vector<Look> looks;           ///< from positions alone
+  std::vector<Indices> over_surface; ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
 };
 
 /// Some rungs of a ladder.
@@ -106,7 +109,9 @@ public:
   /// The neighbors by the first ball that has them; those that none has are left out.
   struct Shells
   {
-    std::vector<std::size_t> neighbors, ends; ///< the shells one after the other
+    Indices indices;                      ///< the shells one after the other
+    std::vector<Vector_3<double>> places; ///< in lengths of the unit of the balls
+    std::vector<std::size_t> ends;
   };
 
   /// For degree 2.
@@ -121,35 +126,6 @@ public:
   Shells over_surface(const Surface_cut& cut) const
   {
     return in_shells([&](std::size_t j) { return cut.in_ball(j); });
-  }
-
-  /// Of each ball.
-  template <std::size_t degree>
-  std::vector<Round_sums> sums(const Shells& shells) const
-  {
-    const std::vector<Vector_3<double>> sorted = places(shells);
-    std::vector<Round_sums> result(m_balls.size());
-    for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
-      if (j > 0) result[j] = result[j - 1];
-      result[j].add<degree>(sorted.data() + begin, shells.ends[j] - begin);
-    }
-    return result;
-  }
-
-  /// Of the neighbors, in lengths of the unit of the balls.
-  std::vector<Vector_3<double>> places(const Shells& shells) const
-  {
-    std::vector<Vector_3<double>> result(shells.neighbors.size());
-    for (std::size_t k = 0; k < result.size(); ++k) result[k] = m_neighbors[shells.neighbors[k]];
-    return result;
-  }
-
-  Indices indices(const Shells& shells) const
-  {
-    Indices result;
-    result.reserve(shells.neighbors.size());
-    for (const std::size_t k : shells.neighbors) result.push_back(m_indices[k]);
-    return result;
   }
 
 private:
@@ -167,9 +143,14 @@ private:
     for (std::size_t j = 1; j < begins.size(); ++j) begins[j] += begins[j - 1];
     Shells shells;
     shells.ends.assign(begins.begin() + 1, begins.end() - 1);
-    shells.neighbors.resize(m_neighbors.size());
-    for (std::size_t k = 0; k < ball.size(); ++k) shells.neighbors[begins[ball[k]]++] = k;
-    shells.neighbors.resize(shells.ends.back());
+    shells.places.resize(shells.ends.back());
+    shells.indices.resize(shells.ends.back());
+    for (std::size_t k = 0; k < ball.size(); ++k) {
+      if (ball[k] == m_balls.size()) continue;
+      const std::size_t place = begins[ball[k]]++;
+      shells.places[place] = m_neighbors[k];
+      shells.indices[place] = m_indices[k];
+    }
     return shells;
   }
 
@@ -177,6 +158,18 @@ private:
   std::vector<Vector_3<double>> m_neighbors;
   Indices m_indices; // of the neighbors
 };
+
+/// Of each ball.
+template <std::size_t degree>
+std::vector<Round_sums> sums_of_balls(const Neighbors_in_balls::Shells& shells)
+{
+  std::vector<Round_sums> result(shells.ends.size());
+  for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
+    if (j > 0) result[j] = result[j - 1];
+    result[j].add<degree>(shells.places.data() + begin, shells.ends[j] - begin);
+  }
+  return result;
+}
 
 /// To heights in each of the balls.
 inline std::vector<Second_order> fits_of_degree_2(const std::vector<Round_sums>& sums, const Row_weights& weights,
@@ -200,16 +193,54 @@ struct Fits_to_positions
   std::vector<Fits_of_radius> round, flat;
 };
 
+/// The neighbors of fits of degrees 3 and 4, and a fit to them.
+struct Cut_fit
+{
+  std::vector<std::size_t> neighbors; ///< numbers in shells
+  Round_fit fit;
+};
+
+/// To those of ball j that are on both sides of a fit; and once more, for the first fit has the bias of those on one
+/// side. Where that leaves out many, noise hides where the surface is, and all stay.
+inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const Surface_cut& cut, std::size_t j,
+                                 const Round_sums& of_all, double weight)
+{
+  constexpr double most = 0.25; // part of the neighbors
+  const std::size_t count = shells.ends[j];
+  Cut_fit all{std::vector<std::size_t>(count), Round_fit(of_all, weight, highest_degree)};
+  std::iota(all.neighbors.begin(), all.neighbors.end(), std::size_t(0));
+  Cut_fit result = all;
+  for (int time = 0; time < 2; ++time) {
+    const std::optional<Round_surface> surface = result.fit.surface();
+    if (!surface) return result;
+    const auto counts = cut.on_both_sides(j, *surface);
+    std::vector<std::size_t> neighbors;
+    std::vector<Vector_3<double>> left_out;
+    neighbors.reserve(count);
+    for (std::size_t k = 0; k < count; ++k)
+      if (counts(shells.places[k])) neighbors.push_back(k);
+      else left_out.push_back(shells.places[k]);
+    if (neighbors == result.neighbors) return result;
+    if (double(left_out.size()) > most * double(count)) return all;
+    Round_sums of_left_out, sums = of_all;
+    of_left_out.add<highest_degree>(left_out.data(), left_out.size());
+    sums -= of_left_out;
+    result = {std::move(neighbors), Round_fit(sums, weight, highest_degree)};
+  }
+  return result;
+}
+
 /// From positions alone.
 /// \param looks surfaces that are to be found are found
-/// \param over_surface see Local_ladder
+/// \param over_surface see Local_ladder; one a look
 inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                           const Ladder& ladder, std::vector<Look>& looks, Indices& over_surface)
+                                           const Ladder& ladder, std::vector<Look>& looks,
+                                           std::vector<Indices>& over_surface)
 {
   const Neighbors_in_balls neighbors(cloud, near, frame, ladder, looks);
   const Balls& balls = neighbors.balls();
   const Row_weights weights(cloud, ladder.noise, balls.unit());
-  const std::vector<Round_sums> of_balls = neighbors.sums<2>(neighbors.in_balls());
+  const std::vector<Round_sums> of_balls = sums_of_balls<2>(neighbors.in_balls());
   std::vector<Flat_and_round> of_degree_2;
   std::vector<Second_order> low;
   for (const Round_sums& of_ball : of_balls) {
@@ -217,9 +248,10 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
     low.push_back(of_degree_2.back().flat);
   }
   find_surfaces(looks, low, ladder);
-  const auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
-  over_surface = neighbors.indices(shells);
-  const std::vector<Round_sums> sums = neighbors.sums<highest_degree>(shells);
+  const Surface_cut cut(balls, looks, low, ladder);
+  const auto shells = neighbors.over_surface(cut);
+  const std::vector<Round_sums> sums = sums_of_balls<highest_degree>(shells);
+  over_surface.resize(looks.size());
   Fits_to_positions result;
   for (std::size_t j = 0; j < looks.size(); ++j) {
     Fits_of_radius flat, round;
@@ -230,9 +262,10 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
     flat.sizes[0] = of_balls[j].size();
     add(of_degree_2[j], 2);
     if (looks[j].is_cut) {
-      Round_fit fit(sums[j], weights.height, highest_degree);
-      flat.sizes[1] = flat.sizes[2] = sums[j].size();
-      for (std::size_t d = 3; d <= highest_degree; ++d) add(fit.of_degree(d, balls.unit()), d);
+      Cut_fit fitted = fit_on_both_sides(shells, cut, j, sums[j], weights.height);
+      flat.sizes[1] = flat.sizes[2] = double(fitted.neighbors.size());
+      for (std::size_t d = 3; d <= highest_degree; ++d) add(fitted.fit.of_degree(d, balls.unit()), d);
+      for (const std::size_t k : fitted.neighbors) over_surface[j].push_back(shells.indices[k]);
     }
     round.sizes = flat.sizes;
     result.flat.push_back(flat);
@@ -337,7 +370,8 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
 {
   Local_ladder result;
   result.looks = wanted.looks.empty() ? look_at_all(wanted.balls.end) : wanted.looks;
-  const Fits_to_positions fits = fits_to_positions(cloud, near, frame, ladder, result.looks, result.over_surface);
+  std::vector<Indices> over_surface;
+  const Fits_to_positions fits = fits_to_positions(cloud, near, frame, ladder, result.looks, over_surface);
   const Turn turn = axis
                         ? turn_towards(*axis, frame)
                         : turn_to_principal_direction(fits.round[std::min(ladder.axes, fits.round.size() - 1)].fits[0]);
@@ -349,6 +383,9 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
   };
   put(fits.round, result.candidates);
   put(fits.flat, result.flat);
+  result.over_surface.resize(result.candidates.size());
+  for (std::size_t j = 0; j < over_surface.size(); ++j)
+    result.over_surface[result.looks[j].rung] = std::move(over_surface[j]);
   return result;
 }
 
@@ -375,9 +412,10 @@ inline Indices neighbors_over_surface(const Cloud& cloud, const Indices& near, c
                                       const Ladder& ladder, std::size_t rung)
 {
   std::vector<Look> looks = look_at_all(rung + 1);
-  Indices result;
+  for (std::size_t j = 0; j < rung; ++j) looks[j].is_cut = false;
+  std::vector<Indices> result;
   fits_to_positions(cloud, near, frame, ladder, looks, result);
-  return result;
+  return result.back();
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -56,14 +56,14 @@ inline double squared_error(const Choice& choice)
 struct Point_scale
 {
   Local_frame frame;
-  Choice normal;                    ///< for the slopes of the surface in the frame
-  std::array<Choice, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
-  Choice in_ball;                   ///< for J_xx if it is to be a ball, of which there are higher orders, too
-  Jet<double> jet{2};               ///< of the surface in the frame, with the digits of normal equations
-  Indices over_surface;             ///< from positions alone: those of a choice of degree 3 or 4 come first
-  std::size_t level = 0;            ///< of the density of points, which has a ladder of its own
-  bool is_chosen = true;            ///< false where no bias is known: no point of the subsample nearby, too few points
-  bool has_neighbors = true;        ///< enough for any fit
+  Choice normal;                     ///< for the slopes of the surface in the frame
+  std::array<Choice, 3> curvatures;  ///< for J_xx, J_xy, J_yy in the frame
+  Choice in_ball;                    ///< for J_xx if it is to be a ball, of which there are higher orders, too
+  Jet<double> jet{2};                ///< of the surface in the frame, with the digits of normal equations
+  std::vector<Indices> over_surface; ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
+  std::size_t level = 0;             ///< of the density of points, which has a ladder of its own
+  bool is_chosen = true;             ///< false where no bias is known: no point of the subsample nearby, too few points
+  bool has_neighbors = true;         ///< enough for any fit
 };
 
 /// The least neighbors of a candidate: twice its unknowns.

@@ -96,6 +96,21 @@ struct Round_sums : Shell_sums
     }
     squared_heights = products[0][0];
   }
+
+  /// Less some of the neighbors, which were added to both.
+  Round_sums& operator-=(const Round_sums& other)
+  {
+    const auto subtract_all = [](auto& from, const auto& what) {
+      for (std::size_t k = 0; k < from.size(); ++k) from[k] -= what[k];
+    };
+    subtract_all(moments, other.moments);
+    subtract_all(heights, other.heights);
+    subtract_all(of_squares, other.of_squares);
+    subtract_all(of_cubes, other.of_cubes);
+    for (std::size_t a = 0; a < 3; ++a) subtract_all(products[a], other.products[a]);
+    squared_heights -= other.squared_heights;
+    return *this;
+  }
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

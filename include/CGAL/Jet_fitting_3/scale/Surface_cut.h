@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
+#include <CGAL/Jet_fitting_3/scale/Round_surface.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
 
 #include <algorithm>
@@ -112,16 +113,61 @@ public:
   /// Whether ball j has a neighbor, given in lengths of its unit, as a function.
   auto in_ball(std::size_t j) const
   {
-    const double in = m_surfaces[j].cuts ? m_balls.square(j) : -1, nearest = m_least_distance * m_least_distance;
-    return [in, nearest, c = m_surfaces[j].heights](const Vector_3<double>& s) {
-      const double u = s.x, v = s.y, h = c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
-      const double square = u * u + v * v + h * h, distance = (s.z - h) * (s.z - h);
-      return bool((square <= in) & (distance <= std::max(nearest, farthest * farthest * square)));
+    const double in = m_surfaces[j].cuts ? m_balls.square(j) : -1;
+    return [in, place = Place(m_surfaces[j].heights, m_least_distance)](const Vector_3<double>& s) {
+      const auto [height, square, most] = place(s);
+      return bool((square <= in) & ((s.z - height) * (s.z - height) <= most));
+    };
+  }
+
+  /// Whether a neighbor that ball j has would still be there if its noise had the other sign, as a function. Where the
+  /// surface leaves the one of degree 2 that cuts, neighbors are near that if their noise is towards it, and would pull
+  /// fits of degree 4.
+  /// \param fitted to the neighbors that ball j has
+  auto on_both_sides(std::size_t j, const Round_surface& fitted) const
+  {
+    constexpr double least_cosine = 0.4; // where it is steeper, noise of heights is large
+    return [fitted, place = Place(m_surfaces[j].heights, m_least_distance)](const Vector_3<double>& s) {
+      const auto [height, square, most] = place(s);
+      // The surface is between these heights if the image of the neighbor at it is not far. Round heights tell.
+      const double distance = std::sqrt(most), low = (s.z + height - distance) / 2, high = low + distance;
+      const double of_fit = fitted.round_height(s.x, s.y);
+      return bool((fitted.squared_cosine(s.x, s.y, of_fit) > least_cosine * least_cosine) &
+                  (of_fit >= fitted.round.height({s.x, s.y, low})) & (of_fit <= fitted.round.height({s.x, s.y, high})));
     };
   }
 
 private:
-  std::array<double, 6> surface(const Second_order& fit) const
+  using Heights = std::array<double, 6>;
+
+  // Of a neighbor on the surface that cuts.
+  class Place
+  {
+  public:
+    struct Result
+    {
+      double height, square; // of the distance from the origin
+      double most;           // square of the distance from the surface that a neighbor may have
+    };
+
+    Place(const Heights& heights, double least_distance)
+      : m_heights(heights), m_nearest(least_distance * least_distance)
+    {}
+
+    Result operator()(const Vector_3<double>& s) const
+    {
+      const Heights& c = m_heights;
+      const double u = s.x, v = s.y, h = c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
+      const double square = u * u + v * v + h * h;
+      return {h, square, std::max(m_nearest, farthest * farthest * square)};
+    }
+
+  private:
+    Heights m_heights;
+    double m_nearest;
+  };
+
+  Heights surface(const Second_order& fit) const
   {
     const auto& q = fit.value;
     const double unit = m_balls.unit();
@@ -131,7 +177,7 @@ private:
   struct Surface
   {
     bool cuts = false;
-    std::array<double, 6> heights{};
+    Heights heights{};
   };
 
   const Balls& m_balls;

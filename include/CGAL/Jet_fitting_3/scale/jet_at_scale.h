@@ -81,7 +81,7 @@ Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_f
 inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& c)
 {
   if (cloud.has_normals() || c.degree == 2) return inside(cloud, near, scale.frame, c.radius, c.shape);
-  return Indices(scale.over_surface.begin(), scale.over_surface.begin() + std::ptrdiff_t(c.neighbors));
+  return scale.over_surface[c.rung];
 }
 
 /// To them.

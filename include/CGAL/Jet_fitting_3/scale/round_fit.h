@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
+#include <CGAL/Jet_fitting_3/scale/Round_surface.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
 
 #include <array>
@@ -149,6 +150,20 @@ public:
     return {flat, round(degree, unit, covariance).value_or(flat)};
   }
 
+  /// Of the highest degree, in the unit of the sums; none where the samples do not determine it.
+  std::optional<Round_surface> surface()
+  {
+    if (!m_fit.determines(highest_degree)) return std::nullopt;
+    const auto round = roundness(second(m_rights[0], highest_degree), second(m_rights[1], highest_degree),
+                                 second(m_rights[2], highest_degree));
+    if (!round) return std::nullopt;
+    set_right_side(round->factors());
+    Round_surface result;
+    for (std::size_t k = 0; k < number_of_unknowns; ++k) result.c[k] = m_fit.coefficient(k, highest_degree);
+    result.round = *round;
+    return result;
+  }
+
 private:
   std::optional<Second_order> round(std::size_t degree, double unit, const Covariance& covariance)
   {
@@ -174,6 +189,12 @@ private:
   // To the sum of the right sides with these factors.
   Second_order with(const std::array<double, 3>& factors, std::size_t degree, double unit, const Covariance& covariance)
   {
+    set_right_side(factors);
+    return second_order(m_fit, degree, unit, covariance);
+  }
+
+  void set_right_side(const std::array<double, 3>& factors)
+  {
     Nested_fit::Right_side right{};
     double squares = 0;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -181,7 +202,6 @@ private:
       for (std::size_t b = a; b < 3; ++b) squares += (a < b ? 2 : 1) * factors[a] * factors[b] * m_products[a][b];
     }
     m_fit.set_right_side(right, m_weight * squares);
-    return second_order(m_fit, degree, unit, covariance);
   }
 
   Nested_fit m_fit;

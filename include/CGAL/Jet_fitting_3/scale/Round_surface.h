@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_ROUND_SURFACE_H
+#define CGAL_JET_FITTING_3_SCALE_ROUND_SURFACE_H
+
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Second_order.h>
+#include <CGAL/Jet_fitting_3/scale/monomials.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The surface whose round heights are a polynomial of degree 4.
+struct Round_surface
+{
+  static_assert(highest_degree == 4, "the polynomial is written out");
+
+  std::array<double, number_of_unknowns> c{}; ///< its coefficients, of 1, u, v, u^2, uv, v^2, ...
+  Roundness round;
+
+  /// The round height over a place in the tangent plane.
+  double round_height(double u, double v) const
+  {
+    const double of_1 = c[0] + v * (c[2] + v * (c[5] + v * (c[9] + v * c[14])));
+    const double of_u = c[1] + v * (c[4] + v * (c[8] + v * c[13]));
+    const double of_u2 = c[3] + v * (c[7] + v * c[12]), of_u3 = c[6] + v * c[11];
+    return of_1 + u * (of_u + u * (of_u2 + u * (of_u3 + u * c[10])));
+  }
+
+  /// The square of about the cosine of the angle with the tangent plane where the round height is this: of the
+  /// derivative of round heights by heights, but for their part with z^3. Not positive where there is no surface.
+  double squared_cosine(double u, double v, double round_height) const
+  {
+    const double of_z = 1 + round.product / 4 * (u * u + v * v);
+    return of_z * of_z - 2 * round.sum * round_height;
+  }
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_ROUND_SURFACE_H
