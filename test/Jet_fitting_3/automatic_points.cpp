@@ -397,6 +397,39 @@ void lines_of_points()
   check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4, with_normals()), cloud), 0.001, "lines of points");
 }
 
+// A unit sphere cut in slices that are so many times as far apart as the points on them, as scanners leave it. Small
+// balls hold two or three lines, which do not tell how the surface bends across them.
+void slices_of_sphere(double apart, double noise)
+{
+  constexpr double step = .02, pi = 3.14159265358979;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<Kernel::Point_3> points;
+  for (double z = -1 + apart * step / 2; z < 1; z += apart * step) {
+    const double r = std::sqrt(1 - z * z);
+    const int count = int(2 * pi * r / step);
+    for (int i = 0; i < count; ++i) {
+      const double a = 2 * pi * i / count, away = 1 + noise * normal(random);
+      points.emplace_back(away * r * std::cos(a), away * r * std::sin(a), away * z);
+    }
+  }
+  std::vector<Form> forms;
+  const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
+  const std::string name = "slices " + text(apart) + " times as far apart, noise " + text(noise);
+  check_equal(summary.estimated, points.size(), name + ": all points are estimated");
+  check_le(std::abs(summary.noise.position - noise), 2 * summary.noise.position_error, name + ": noise");
+  double squares = 0;
+  std::size_t held = 0;
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    for (int k = 0; k < 2; ++k) {
+      const double error = std::abs(std::abs(forms[i].principal_curvatures(k)) - 1);
+      squares += error * error;
+      if (error <= 1.96 * summary.quality(i).scale.curvature_errors[std::size_t(k)]) ++held;
+    }
+  check_le(std::sqrt(squares / double(2 * forms.size())), 0.01, name + ": RMS error of curvatures");
+  check_ge(double(held), 0.9 * double(2 * forms.size()), name + ": intervals that hold the curvature");
+}
+
 // No degree above the one that is given is taken, and without one degree_monge may be any.
 void highest_degree()
 {
@@ -564,6 +597,7 @@ int main()
   for (const double noise : {0., 0.001, 0.01}) normals_known_in_a_part(noise);
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
+  for (const double apart : {5., 20.}) slices_of_sphere(apart, 0.001);
   highest_degree();
   for (const bool normals : {false, true}) outliers(normals);
   for (const double noise : {.003, .01})

@@ -70,7 +70,7 @@ public:
       m_at_border = border_of_noise(cloud, within, m_noise, for_each);
       if (!m_at_border.empty()) m_cloud.at_border = m_at_border.data();
     }
-    learn_bias(of_some.radius, noise.has_value(), for_each);
+    learn_bias(of_some, noise.has_value(), for_each);
   }
   Automatic_scale(Automatic_scale&&) = default; // not to be copied: the cloud has the place of the border
 
@@ -216,12 +216,12 @@ private:
   using Patches = std::vector<std::vector<std::uint32_t>>;
 
   template <class For_each>
-  void learn_bias(double radius, bool knows_noise, const For_each& for_each)
+  void learn_bias(const Density& density, bool knows_noise, const For_each& for_each)
   {
     const Indices sample = spread_places(m_cloud, std::max<std::size_t>(1, std::min(stride, m_cloud.size / places)));
     m_learned.assign(m_cloud.size, none);
     for (std::size_t k = 0; k < sample.size(); ++k) m_learned[sample[k]] = std::uint32_t(k);
-    make_ladders(sample, levels_of(sample, radius, for_each), radius, knows_noise);
+    make_ladders(sample, levels_of(sample, density.radius, for_each), density, knows_noise);
     const Patches patches = patches_of(sample, for_each);
     std::vector<Local_ladder> ladders(sample.size());
     std::vector<Indices> close(sample.size());
@@ -244,14 +244,22 @@ private:
     learn_choices(patches, leans_of(sample, ladders, ends, for_each), ladders, ends, for_each);
   }
 
-  void make_ladders(const Indices& sample, const std::vector<int>& levels, double radius, bool knows_noise)
+  void make_ladders(const Indices& sample, const std::vector<int>& levels, const Density& density, bool knows_noise)
   {
     const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
-    for (int level = *least; level <= *most; ++level)
-      m_ladders.push_back(
-          ladder_of_cloud(radius * scale_of_level(level),
-                          knows_noise || *least == *most ? m_noise : noise_of_level(sample, levels, level, radius),
-                          m_cloud.has_normals(), m_highest_choice));
+    for (int level = *least; level <= *most; ++level) {
+      Density here{density.radius * scale_of_level(level), {}, density.across_lines};
+      Noise noise = m_noise;
+      const Indices places = *least == *most ? Indices() : places_of_level(sample, levels, level);
+      if (!places.empty()) {
+        here = {here.radius, std::vector<int>(places.size(), 0)};
+        here.across_lines = factor_across_lines(m_cloud, m_within, places, here);
+        if (!knows_noise) noise = estimate_noise(m_cloud, m_within, places, here);
+      }
+      // normals tell how the surface goes on across lines
+      const double radius = m_cloud.has_normals() ? here.radius : here.across_lines * here.radius;
+      m_ladders.push_back(ladder_of_cloud(radius, noise, m_cloud.has_normals(), m_highest_choice));
+    }
     for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
   }
 
@@ -373,17 +381,16 @@ private:
   }
 
   // Parts of a cloud may come from several scans, and without noise it is what the smallest balls leave of the shape,
-  // which is more where they are larger. That of the cloud if there are too few places.
-  Noise noise_of_level(const Indices& sample, const std::vector<int>& levels, int level, double radius) const
+  // which is more where they are larger: each level has noise of its own. None if there are too few places.
+  static Indices places_of_level(const Indices& sample, const std::vector<int>& levels, int level)
   {
     Indices of_level, some;
     for (std::size_t k = 0; k < sample.size(); ++k)
       if (levels[k] == level) of_level.push_back(sample[k]);
-    if (of_level.size() < 10) return m_noise;
+    if (of_level.size() < 10) return some;
     for (const std::size_t k : spread_indices(of_level.size(), (of_level.size() - 1) / places_of_noise + 1))
       some.push_back(of_level[k]);
-    const Density of_places{radius * scale_of_level(level), std::vector<int>(some.size(), 0)};
-    return estimate_noise(m_cloud, m_within, some, of_places);
+    return some;
   }
 
   // The middle one by area, of which a place has more where points are less dense. The place itself has no say: it may

@@ -48,6 +48,7 @@ public:
   {
     assemble(sums, height_weight, slope_weight, degree);
     factorize(are_on_a_line(sums) ? 1 : number_of_jet_coefficients(degree));
+    if (!(slope_weight > 0)) leave_out_what_lines_hide(sums, height_weight);
   }
 
   /// Whether the samples determine a jet of this degree.
@@ -108,6 +109,52 @@ private:
   {
     const double uu = sums.moments[3], uv = sums.moments[4], vv = sums.moments[5];
     return uu * vv - uv * uv <= 1e-6 * (uu + vv) * (uu + vv);
+  }
+
+  // Samples on three lines beside each other do not tell a cubic across them, only the little does by which they leave
+  // the lines: where heights have a part in that, because the frame leans, the fit explains heights by themselves. A
+  // degree is determined if its terms are: where samples are, as far from their middle as they spread and in the mean
+  // of all directions, the variance of these terms, per that of a mean, neither depends on the origin nor on the axes.
+  // It is 1 to 3, up to 40 by chance, thousands on lines.
+  void leave_out_what_lines_hide(const Shell_sums& sums, double weight)
+  {
+    constexpr double most_gain = 100;
+    // as many as the mean of the squares of terms takes
+    constexpr std::array<std::array<double, 2>, 5> directions{{{1, 0},
+                                                               {0.80901699437494742, 0.58778525229247313},
+                                                               {0.30901699437494742, 0.95105651629515357},
+                                                               {-0.30901699437494742, 0.95105651629515357},
+                                                               {-0.80901699437494742, 0.58778525229247313}}};
+    const double n = sums.size(), u = sums.moments[1] / n, v = sums.moments[2] / n;
+    const double uu = sums.moments[3] / n - u * u, uv = sums.moments[4] / n - u * v, vv = sums.moments[5] / n - v * v;
+    const double along = std::sqrt(uu), beside = uv / along, across = std::sqrt(vv - beside * beside);
+    for (std::size_t degree = 2; degree <= highest_degree && determines(degree); ++degree) {
+      double gain = 0;
+      for (const auto& [cosine, sine] : directions)
+        gain += variance_of_terms(degree, along * cosine, beside * cosine + across * sine);
+      gain *= n * weight / double(directions.size());
+      if (!(gain <= most_gain)) m_rank = number_of_jet_coefficients(degree - 1);
+    }
+  }
+
+  // That of the terms of the highest order of a fit at a place.
+  double variance_of_terms(std::size_t degree, double u, double v) const
+  {
+    const std::size_t first = number_of_jet_coefficients(degree - 1), end = number_of_jet_coefficients(degree);
+    std::array<double, highest_degree + 1> terms;
+    for (std::size_t j = 0; j <= degree; ++j) terms[j] = m_scale[first + j];
+    double power_of_v = 1, power_of_u = 1;
+    for (std::size_t j = 0; j <= degree; ++j, power_of_u *= u, power_of_v *= v) {
+      terms[j] *= power_of_v;
+      terms[degree - j] *= power_of_u;
+    }
+    double variance = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      double sum = 0;
+      for (std::size_t a = first; a <= k; ++a) sum += m_inverse[k][a] * terms[a - first];
+      variance += sum * sum;
+    }
+    return variance;
   }
 
   struct Exponents

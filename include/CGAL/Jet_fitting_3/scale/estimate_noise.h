@@ -68,6 +68,7 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
 struct Residuals_of_balls
 {
   Estimated_variance heights, slopes;
+  bool are_determined; ///< whether degree 4 is, at half of the places that have the neighbors
 };
 
 /// At about so many places noise is estimated.
@@ -101,15 +102,17 @@ Residuals_of_balls residuals_of_balls(const Cloud& cloud, const Within& within, 
 {
   std::vector<double> heights, slopes;
   double neighbors = 0;
+  std::size_t with_neighbors = 0;
   Indices near;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Residual_variances v = residual_variances(cloud, within, places[k], radii[k], near);
     if (v.heights >= 0) heights.push_back(with_rim(v.heights, radii[k]));
     if (v.slopes >= 0) slopes.push_back(v.slopes);
     neighbors += v.neighbors;
+    if (v.neighbors > 0) ++with_neighbors;
   }
   const double shared = neighbors / double(cloud.size);
-  return {median_variance(heights, shared), median_variance(slopes, shared)};
+  return {median_variance(heights, shared), median_variance(slopes, shared), 2 * heights.size() >= with_neighbors};
 }
 
 /// \throw Invalid_input if there are fewer than least_neighbors
@@ -157,7 +160,31 @@ struct Density
 {
   double radius;
   std::vector<int> levels;
+  double across_lines = 1; ///< a factor of all radii, see factor_across_lines()
 };
+
+/// The radii of balls at places of several levels: a factor above the least of level 0, or the least of their own; all
+/// enlarged by another.
+inline std::vector<double> radii_at(const Density& density, double factor, double enlarged)
+{
+  std::vector<double> radii;
+  for (const int level : density.levels)
+    radii.push_back(enlarged * density.across_lines * density.radius * std::max(factor, scale_of_level(level)));
+  return radii;
+}
+
+/// The factor of radii from which on samples determine degree 4: balls that hold least_neighbors may hold three scan
+/// lines, or one. Lines may be fifty times as far from each other as the samples on them.
+template <class Within>
+double factor_across_lines(const Cloud& cloud, const Within& within, const Indices& places, Density density)
+{
+  constexpr int most_steps = 12;
+  const Cloud positions{cloud.points, nullptr, cloud.size};
+  const double least = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  for (int step = 0; step < most_steps; ++step, density.across_lines *= ladder_step)
+    if (residuals_of_balls(positions, within, places, radii_at(density, least, 1)).are_determined) break;
+  return density.across_lines;
+}
 
 /// \throw Invalid_input if there are too few points, or many of them coincide
 template <class Within>
@@ -169,17 +196,8 @@ Density density(const Cloud& cloud, const Within& within, const Indices& places)
     throw Invalid_input("telling noise from the surface: at half of the places that were looked at " +
                         std::to_string(least_neighbors) + " points coincide");
   for (const double radius : radii) result.levels.push_back(level_of(radius, result.radius));
+  result.across_lines = factor_across_lines(cloud, within, places, result);
   return result;
-}
-
-/// The radii of balls at places of several levels: a factor above the least of level 0, or the least of their own; all
-/// enlarged by another.
-inline std::vector<double> radii_at(const Density& density, double factor, double enlarged)
-{
-  std::vector<double> radii;
-  for (const int level : density.levels)
-    radii.push_back(enlarged * density.radius * std::max(factor, scale_of_level(level)));
-  return radii;
 }
 
 /// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as large as the noise found
@@ -190,10 +208,11 @@ Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& pl
   const auto at = [&](double factor, double enlarged = 1) {
     return residuals_of_balls(cloud, within, places, radii_at(density, factor, enlarged));
   };
+  const double radius = density.across_lines * density.radius;
   double factor = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
   const Residuals_of_balls least = at(factor);
   Residuals_of_balls v = least;
-  for (int step = 0; step < 60 && density.radius * factor < 6 * std::sqrt(v.heights.value); ++step)
+  for (int step = 0; step < 60 && radius * factor < 6 * std::sqrt(v.heights.value); ++step)
     v = at(factor *= ladder_step);
   const Residuals_of_balls larger = at(factor, ladder_step);
   const auto bias = [](const Estimated_variance& first, const Estimated_variance& own, const Estimated_variance& next) {
