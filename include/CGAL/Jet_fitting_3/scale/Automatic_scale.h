@@ -250,11 +250,11 @@ private:
     for (int level = *least; level <= *most; ++level) {
       Density here{density.radius * scale_of_level(level), {}, density.across_lines};
       Noise noise = m_noise;
-      const Indices places = *least == *most ? Indices() : places_of_level(sample, levels, level);
-      if (!places.empty()) {
-        here = {here.radius, std::vector<int>(places.size(), 0)};
-        here.across_lines = factor_across_lines(m_cloud, m_within, places, here);
-        if (!knows_noise) noise = estimate_noise(m_cloud, m_within, places, here);
+      const Indices at_level = *least == *most ? Indices() : places_of_level(sample, levels, level);
+      if (!at_level.empty()) {
+        here = {here.radius, std::vector<int>(at_level.size(), 0)};
+        here.across_lines = factor_across_lines(m_cloud, m_within, at_level, here);
+        if (!knows_noise) noise = estimate_noise(m_cloud, m_within, at_level, here);
       }
       // normals tell how the surface goes on across lines
       const double radius = m_cloud.has_normals() ? here.radius : here.across_lines * here.radius;

@@ -125,14 +125,15 @@ private:
                                                                {0.30901699437494742, 0.95105651629515357},
                                                                {-0.30901699437494742, 0.95105651629515357},
                                                                {-0.80901699437494742, 0.58778525229247313}}};
-    const double n = sums.size(), u = sums.moments[1] / n, v = sums.moments[2] / n;
-    const double uu = sums.moments[3] / n - u * u, uv = sums.moments[4] / n - u * v, vv = sums.moments[5] / n - v * v;
+    const double size = sums.size(), u = sums.moments[1] / size, v = sums.moments[2] / size;
+    const double uu = sums.moments[3] / size - u * u, uv = sums.moments[4] / size - u * v,
+                 vv = sums.moments[5] / size - v * v;
     const double along = std::sqrt(uu), beside = uv / along, across = std::sqrt(vv - beside * beside);
     for (std::size_t degree = 2; degree <= highest_degree && determines(degree); ++degree) {
       double gain = 0;
       for (const auto& [cosine, sine] : directions)
         gain += variance_of_terms(degree, along * cosine, beside * cosine + across * sine);
-      gain *= n * weight / double(directions.size());
+      gain *= size * weight / double(directions.size());
       if (!(gain <= most_gain)) m_rank = number_of_jet_coefficients(degree - 1);
     }
   }
