@@ -307,34 +307,53 @@ Size_of_noise noise_of_normals(const Surface_points<Neighbors>& surface, const s
   return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, variance), surface.points.size(), first_ring);
 }
 
-/// Whether normals follow from those of the faces: half of what these deviate from those of fits of degree 4 to three
-/// rings is in given ones, too, and these do not deviate by far more. Of independent normals it is nothing in the mean,
-/// whatever the noise of both: the error of a least squares fit is uncorrelated with what other estimates differ from
-/// it.
+/// At places of a surface, what given normals deviate from those of fits to three rings: which part of what those of
+/// the faces deviate is in it, and the squares of both.
+struct Deviations_of_normals
+{
+  std::vector<double> shares, squares_of_given, squares_of_faces;
+};
+
+template <std::size_t degree, class Neighbors>
+Deviations_of_normals deviations_of_normals(const Surface_points<Neighbors>& surface,
+                                            const std::vector<Vector_3<double>>& given,
+                                            const std::vector<Vector_3<double>>& of_faces)
+{
+  Deviations_of_normals result;
+  visit_places(surface, 3, [&](std::size_t i, const Local_frame& frame, const auto& found, const auto&) {
+    std::vector<Vector_3<double>> local;
+    for (const std::size_t v : found) local.push_back(1 / surface.units[i] * frame.in(surface.points[v]));
+    Moments moments;
+    moments.add<degree>(local.data(), local.size());
+    const Normal_matrix matrix(moments, degree);
+    if (local.size() < number_of_jet_coefficients(degree) + 8 || !matrix.is_regular()) return;
+    const auto c = matrix.solution(moments.heights, 1);
+    const std::optional<Slope> a = slope_of(frame.axes.in(given[i])), b = slope_of(frame.axes.in(of_faces[i]));
+    if (!a || !b) return;
+    const Slope first{a->x - c[1], a->y - c[2]}, second{b->x - c[1], b->y - c[2]};
+    result.squares_of_given.push_back(first.x * first.x + first.y * first.y);
+    result.squares_of_faces.push_back(second.x * second.x + second.y * second.y);
+    if (result.squares_of_faces.back() > 0)
+      result.shares.push_back((first.x * second.x + first.y * second.y) / result.squares_of_faces.back());
+  });
+  return result;
+}
+
+/// Whether normals follow from those of the faces, as far as fits tell: half of what these deviate is in given ones,
+/// too, and these do not deviate by far more. Of independent normals it is nothing in the mean, whatever the noise of
+/// both: the error of a least squares fit is uncorrelated with what other estimates differ from it. But a bias of the
+/// fit is in both: without noise that of degree 4 may be most of it, and with noise degree 6 is too near to the
+/// samples, so it must be so for both.
 template <class Neighbors>
 bool follow_from_faces(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& given,
                        const std::vector<Vector_3<double>>& of_faces)
 {
   constexpr double dependent = 0.5, far = 4; // square
-  std::vector<double> shares, squares_of_given, squares_of_faces;
-  visit_places(surface, 3, [&](std::size_t i, const Local_frame& frame, const auto& found, const auto&) {
-    std::vector<Vector_3<double>> local;
-    for (const std::size_t v : found) local.push_back(1 / surface.units[i] * frame.in(surface.points[v]));
-    Moments moments;
-    moments.add<4>(local.data(), local.size());
-    const Normal_matrix matrix(moments, 4);
-    if (local.size() < number_of_jet_coefficients(4) + 8 || !matrix.is_regular()) return;
-    const auto c = matrix.solution(moments.heights, 1);
-    const std::optional<Slope> a = slope_of(frame.axes.in(given[i])), b = slope_of(frame.axes.in(of_faces[i]));
-    if (!a || !b) return;
-    const Slope first{a->x - c[1], a->y - c[2]}, second{b->x - c[1], b->y - c[2]};
-    squares_of_given.push_back(first.x * first.x + first.y * first.y);
-    squares_of_faces.push_back(second.x * second.x + second.y * second.y);
-    if (squares_of_faces.back() > 0)
-      shares.push_back((first.x * second.x + first.y * second.y) / squares_of_faces.back());
-  });
-  return !shares.empty() && scale::median(shares) > dependent &&
-         scale::median(squares_of_given) < far * scale::median(squares_of_faces);
+  const Deviations_of_normals low = deviations_of_normals<4>(surface, given, of_faces),
+                              high = deviations_of_normals<6>(surface, given, of_faces);
+  if (low.shares.empty() || scale::median(low.squares_of_given) >= far * scale::median(low.squares_of_faces))
+    return false;
+  return scale::median(low.shares) > dependent && (high.shares.empty() || scale::median(high.shares) > dependent);
 }
 
 /// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell

@@ -41,11 +41,14 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Normals of vertices that are data, or none, and those of the faces, to tell whether these are where they come from.
+/// Normals of vertices that are to be data, or none, and those of the faces, to tell whether they follow from these.
 struct Normals_as_data
 {
   Unit_normals given;
-  std::vector<Vector_3<double>> of_faces;
+  std::vector<Vector_3<double>> of_faces; ///< none if they are data without a doubt
+  bool are_means_of_faces = false;
+
+  bool are_data() const { return !given.empty() && !are_means_of_faces; }
 };
 
 /// Calls body(k) for each k below count, a few at a time, with a body for each thread.
@@ -88,7 +91,7 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Normals_as_data& normals,
                   const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees), m_surface(tables, !normals.given.empty()), m_noise(noise(tables.points, options)),
+    : m_degrees(degrees), m_surface(tables, normals.are_data()), m_noise(noise(tables.points, options)),
       m_squares_of_noise(squares_of_noise()),
       m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
                degrees.highest, For_each_with_body<ConcurrencyTag>())
@@ -162,18 +165,20 @@ private:
   const Unit_surface::Surface& surface_with_data(const Tables& tables, const Normals_as_data& normals,
                                                  const Options& options, const For_each& for_each)
   {
-    if (!normals.given.empty()) take_normals(tables, normals, options);
+    if (!normals.given.empty()) m_noise.of_all.normal = std::numeric_limits<double>::infinity();
+    if (normals.are_data()) take_normals(tables, normals, options);
     return m_surface.with_tangent_planes(m_squares_of_noise, for_each);
   }
 
-  // As data, unless they follow from the positions.
+  // As data, unless they seem to follow from the faces.
   template <class Tables>
   void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options)
   {
     std::vector<Vector_3<double>> given = normals_of_nodes(tables, normals.given);
     Noise& noise = m_noise.of_all;
-    noise.normal = std::numeric_limits<double>::infinity();
-    if (averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces))) return;
+    if (!normals.of_faces.empty() &&
+        averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces)))
+      return;
     const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), given);
     noise.normal = options.normal_noise.value_or(estimated.value);
     noise.normal_error = options.normal_noise ? 0 : estimated.error;

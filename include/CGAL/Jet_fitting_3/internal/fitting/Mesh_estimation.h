@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Automatic_mesh_estimator.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_of_faces.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/parameters.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/read_point_weights.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Mesh_gatherer.h>
@@ -101,10 +102,12 @@ private:
   {
     if constexpr (is_automatic) {
       const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
-      Normals_as_data normals{m_normals, {}};
-      if (m_options.use_normals)
+      Normals_as_data normals{m_normals, {}, false};
+      if (m_options.use_normals && !m_options.normal_noise) {
+        normals.are_means_of_faces = are_means_of_faces(mesh, *m_tables.numbering, m_tables.points, m_normals);
         normals.of_faces =
             unit_vectors(vertex_normals<ConcurrencyTag>(mesh, *m_tables.numbering, m_tables.points), m_tables.size());
+      }
       return Automatic_mesh_estimator<Kernel>(tag, m_tables, normals, degrees, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);
   }
