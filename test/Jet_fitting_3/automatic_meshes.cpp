@@ -388,14 +388,41 @@ void bad_vertices()
   check_true(summary.status(isolated).has(jets::Status_flag::isolated), "isolated");
 }
 
-// A vertex far away takes those around it; many small parts beside the surface take nothing.
-void far_vertex_and_debris()
+// Of mean curvatures, but for one vertex.
+double largest_error(const Noisy_mesh& noisy, Vertex without)
 {
-  Noisy_mesh far(torus(2, 1, 60, 24), 0.005);
-  far.mesh.point(Vertex(100)) = Kernel::Point_3(1e20, 0, 0);
-  const auto summary = far.estimate(jets::automatic(), 6);
-  check_ge(double(summary.estimated), double(far.mesh.number_of_vertices()) - 50, "estimated beside a far vertex");
+  double largest = 0;
+  for (const Vertex v : noisy.mesh.vertices()) {
+    if (v == without) continue;
+    const Form& form = noisy.forms[v];
+    const double mean =
+        form.coefficients().empty() ? INFINITY : (form.principal_curvatures(0) + form.principal_curvatures(1)) / 2;
+    largest = std::max(largest, std::abs(mean - noisy.mean_curvature[v]));
+  }
+  return largest;
+}
 
+// However far away a vertex is, and also if it is the first, all others have the forms that they have without it.
+void far_vertex()
+{
+  Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
+  noisy.estimate(jets::automatic(), 6);
+  const double without = largest_error(noisy, Vertex());
+  for (const Vertex v : {Vertex(0), Vertex(100)})
+    for (const double distance : {1e3, 1e9, 1e18, 3e38, 1e200, 1e300}) {
+      Noisy_mesh far(torus(2, 1, 60, 24), 0.005);
+      far.mesh.point(v) = Kernel::Point_3(distance, distance, 0);
+      const auto summary = far.estimate(jets::automatic(), 6);
+      const std::string name = "vertex " + text(double(v)) + " at a distance of " + text(distance);
+      check_equal(summary.estimated, far.mesh.number_of_vertices() - 1, name);
+      check_true(summary.status(v).has(jets::Status_flag::too_few_points), name + ": its status");
+      check_le(largest_error(far, v), 1.5 * without, name + ": error of the others");
+    }
+}
+
+// Many small parts beside the surface take nothing.
+void debris()
+{
   Noisy_mesh littered(torus(2, 1, 60, 24), 0.005);
   const std::size_t vertices = littered.mesh.number_of_vertices();
   for (int k = 0; k < 3000; ++k) {
@@ -442,6 +469,10 @@ void misuse()
     check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, of_noise); }, {"position_noise"},
                                       "a noise of " + text(noise));
   }
+  jets::Options too_noisy;
+  too_noisy.position_noise = 1e300;
+  check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, too_noisy); },
+                                    {"position_noise", "1e+300"}, "a noise larger than the mesh");
   Noisy_mesh tiny(sphere(1, 1), 0);
   check_throws<jets::Invalid_input>([&] { tiny.estimate(jets::automatic(), 2); }, {"too few"}, "an octahedron");
 }
@@ -465,7 +496,8 @@ int main()
   sides();
   same_bits();
   bad_vertices();
-  far_vertex_and_debris();
+  far_vertex();
+  debris();
   misuse();
   return result();
 }

@@ -161,7 +161,7 @@ public:
     m_is_regular = factorize();
   }
 
-  /// Whether the samples determine the jet, to about seven digits.
+  /// Whether the samples determine the jet, beyond what rounding makes of terms that depend on others.
   bool is_regular() const { return m_is_regular; }
 
   /// The coefficients up to an order, from the heights, which are moments.
@@ -223,7 +223,7 @@ private:
       std::size_t a = 0;
       for (; a + 4 <= b; a += 4) subtract_four(a, b);
       for (; a < b; ++a) subtract(m_factor[a][b], m_factor[a], row, b);
-      if (!(row[b] > 1e-13)) return false;
+      if (!(row[b] > 1e-11)) return false;
       const Lanes per_root = 1 / std::sqrt(row[b]);
       for (std::size_t c = b; c < m_size; c += lanes) (per_root * Lanes::load(&row[c])).store(&row[c]);
       m_per_diagonal[b] = 1 / row[b];

@@ -132,8 +132,8 @@ public:
       // The surface is between these heights if the image of the neighbor at it is not far. Round heights tell.
       const double distance = std::sqrt(most), low = (s.z + height - distance) / 2, high = low + distance;
       const double of_fit = fitted.round_height(s.x, s.y);
-      return bool((fitted.squared_cosine(s.x, s.y, of_fit) > least_cosine * least_cosine) &
-                  (of_fit >= fitted.round.height({s.x, s.y, low})) & (of_fit <= fitted.round.height({s.x, s.y, high})));
+      return fitted.squared_cosine(s.x, s.y, of_fit) > least_cosine * least_cosine &&
+             of_fit >= fitted.round.height({s.x, s.y, low}) && of_fit <= fitted.round.height({s.x, s.y, high});
     };
   }
 

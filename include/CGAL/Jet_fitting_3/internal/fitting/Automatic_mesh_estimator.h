@@ -105,6 +105,7 @@ public:
   }
 
   Walker walker() const { return Walker(m_surface.surface()); }
+  Normal_table sides() const { return m_surface.sides(); }
   /// In units.
   const Noise& noise() const { return m_noise.of_all; }
 
@@ -217,7 +218,7 @@ public:
                            const Automatic_degrees& degrees, const Options& options, bool for_places)
     : m_points(tables.points), m_adjacency(tables.adjacency), m_degrees(degrees)
   {
-    check_options_for_automatic(options, false);
+    check_options_for_automatic(options, m_points.per_length(), false);
     check_degree_for_automatic(degrees.highest);
     const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
     m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, normals,
@@ -232,6 +233,9 @@ public:
   {}
 
   bool reports_quality() const { return true; }
+  /// To which forms are turned where no normals are given: with noise the normal of a single vertex may be on the wrong
+  /// side.
+  Normal_table sides() const { return m_learned->sides(); }
   Noise noise() const { return in_larger_unit(m_learned->noise(), m_points.per_length()); }
   static constexpr std::size_t rows_at_a_time() { return 1; }
 

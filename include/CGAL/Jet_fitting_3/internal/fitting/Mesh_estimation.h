@@ -57,7 +57,7 @@ public:
       m_normals(options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
       m_estimator(make_estimator(ConcurrencyTag(), mesh, for_places))
   {
-    if constexpr (is_automatic && !has_normals) m_tables.normals = with_neighbors(m_tables.normals, m_tables.adjacency);
+    if constexpr (is_automatic && !has_normals) m_tables.normals = std::get<0>(m_estimator).sides();
   }
 
   Mesh_estimation(const Mesh_estimation&) = delete;

@@ -53,20 +53,6 @@ inline std::vector<Vector_3<double>> unit_vectors(const Normal_table& normals, s
   return result;
 }
 
-/// Of each node with a normal, and its neighbors, the sum: with noise the normal of a single one may be on the wrong
-/// side. Where it vanishes the own one stays.
-inline Normal_table with_neighbors(const Normal_table& normals, const Adjacency& adjacency)
-{
-  Normal_table result = normals;
-  for (Index node = 0; node < adjacency.number_of_nodes(); ++node) {
-    if (!normals.is_known(node)) continue;
-    Vector_3<float> sum = normals[node];
-    for (const Index neighbor : adjacency[node]) sum = sum + normals[neighbor];
-    result.set(node, sum);
-  }
-  return result;
-}
-
 /// A mesh as automatic() and estimate_noise() take it: points in the unit of the tables, which must outlive it, normals
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
 class Unit_surface
@@ -88,13 +74,11 @@ public:
   /// \param has_normals whether normals are data: then disks are round, however long edges are
   template <class Tables>
   Unit_surface(const Tables& tables, bool has_normals)
-    : m_points(points(tables)),
-      m_normals(averaging::smoothed(unit_vectors(tables.normals, tables.adjacency.number_of_nodes()),
-                                    Neighbors{&tables.adjacency},
-                                    std::vector<int>(tables.adjacency.number_of_nodes(), first_rounds))),
-      m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
+    : m_points(points(tables)), m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
     m_units = averaging::lengths_around(m_surface);
+    m_normals =
+        averaging::smoothed(normals(tables), m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
@@ -105,6 +89,14 @@ public:
   Unit_surface& operator=(const Unit_surface&) = delete;
 
   const Surface& surface() const { return m_surface; }
+
+  /// On which side each vertex is seen from outside, by the normals around it.
+  Normal_table sides() const
+  {
+    Normal_table result(m_normals.size());
+    for (Index node = 0; node < m_normals.size(); ++node) result.set(node, m_normals[node]);
+    return result;
+  }
 
   /// Takes normals as data, one for each vertex. \param noise of them
   void take_normals(std::vector<Vector_3<double>> normals, double noise)
@@ -152,12 +144,28 @@ private:
   template <class Tables>
   static std::vector<Vector_3<double>> points(const Tables& tables)
   {
-    const Index origin = tables.points.first_finite();
     std::vector<Vector_3<double>> result(tables.adjacency.number_of_nodes(), Vector_3<double>{0, 0, 0});
+    if (tables.points.first_finite() == tables.size()) return result;
+    const auto origin = tables.points.middle(); // beside most of them, whose digits would be lost far away
     for (Index node = 0; node < result.size(); ++node) {
       const Index i = tables.adjacency.vertex(node);
-      if (tables.points.is_finite(i)) result[node] = tables.points.offset_in_units(origin, i);
+      if (tables.points.is_finite(i))
+        result[node] = tables.points.per_length() * tables.points.template offset<double>(origin, i);
     }
+    return result;
+  }
+
+  /// Of the mesh; unknown where an edge is so long that its faces alone have a say: those around tell more.
+  template <class Tables>
+  std::vector<Vector_3<double>> normals(const Tables& tables) const
+  {
+    constexpr double far = 1000;
+    std::vector<Vector_3<double>> result = unit_vectors(tables.normals, m_points.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (const std::size_t v : m_surface.neighbors(i)) {
+        const Vector_3<double> edge = m_points[v] - m_points[i];
+        if (std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
+      }
     return result;
   }
 

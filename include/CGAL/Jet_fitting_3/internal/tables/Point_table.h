@@ -204,7 +204,8 @@ private:
     return Base::is_finite(p.x) && Base::is_finite(p.y) && Base::is_finite(p.z);
   }
 
-  /// The unit is a power of two above the size of the bounding box.
+  /// The unit is a power of two above the size of the bounding box, or far above that of most points, if some are so far
+  /// away that no digit of the squares of lengths among the others would be left.
   template <class ConcurrencyTag>
   void measure(ConcurrencyTag)
   {
@@ -222,7 +223,27 @@ private:
       };
     });
     m_all_are_finite = all_are_finite;
+    constexpr double far = 0x1p200;
+    if (size > far && Base::size() > 0) {
+      const double most = median_extent();
+      if (most > 0) size = (std::min)(size, far * most);
+    }
     m_per_length = 1 / numeric::power_of_two_above((std::min)(size, (std::numeric_limits<double>::max)()));
+  }
+
+  /// Half of the finite points are within a cube so large, in the largest coordinate, around the middle().
+  double median_extent() const
+  {
+    const Vector_3<Data_number> origin = middle();
+    std::vector<double> extents;
+    for (Index i = 0; i < Base::size(); ++i) {
+      if (!has_finite_coordinates(i)) continue;
+      const Vector_3<double> d = offset<double>(origin, i);
+      extents.push_back((std::max)({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
+    }
+    const auto result = extents.begin() + std::ptrdiff_t(extents.size() / 2);
+    std::nth_element(extents.begin(), result, extents.end());
+    return *result;
   }
 
   /// Of the points first, ..., last - 1 and the origin together.
