@@ -9,6 +9,7 @@
 #include "check.h"
 #include "noisy_ridges.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -46,9 +47,19 @@ void found_and_false(const Analytic_mesh& surface, const std::string& name)
 // b0 and b3 vanish everywhere, with noise and without.
 void nothing_on_spheres()
 {
-  for (const double noise : {0., 0.003, 0.05})
+  for (const double noise : {0., 0.0003, 0.003, 0.05})
     check_equal(automatic_ridges(noisy(sphere(1, 16), noise, 1)).size(), std::size_t(0),
                 "lines on a sphere, noise " + std::to_string(noise));
+}
+
+// With next to no noise their errors are those of the normals in the potential that is fitted.
+void third_order_on_a_sphere()
+{
+  const Mesh mesh = noisy(sphere(1, 40), 1e-6, 1);
+  const Maps maps(mesh, automatic());
+  double sum = 0;
+  for (const auto v : vertices(mesh)) sum += std::pow(get(maps.b0, v), 2) + std::pow(get(maps.b3, v), 2);
+  check_le(std::sqrt(sum / double(2 * num_vertices(mesh))), 5e-6, "b0 and b3 on a sphere with next to no noise");
 }
 
 } // namespace
@@ -58,5 +69,6 @@ int main()
   found_and_false(bezier(65), "Bezier surface");
   found_and_false(ellipsoid(1, 1.5, 2.2, 30), "ellipsoid");
   nothing_on_spheres();
+  third_order_on_a_sphere();
   return result();
 }

@@ -62,9 +62,9 @@ struct Ridge_options
   /// it is, over the reach of the neighborhood or while the normal turns by a radian. With a significance, what may be
   /// noise by the standard errors is left to that. If false, lines are drawn at random where b vanishes identically, as
   /// on spheres, cylinders, tori.
-  /// With automatic(), where there is noise, lines are drawn along which b exceeds half of the error that it reports,
-  /// bias included, if somewhere they are certain in the above way, or b exceeds six times that error and a quarter
-  /// of the other bounds.
+  /// With automatic(), where there is noise, lines are drawn along which b exceeds a fifth of the error that it reports
+  /// around there, bias included, if somewhere they are certain in the above way, or b exceeds four times that error
+  /// and a quarter of the other bounds.
   bool only_certain = true;
 
   /// How far rounding may have moved the points, in length, besides that of their number type: for coordinates read
@@ -150,22 +150,41 @@ std::vector<bool> exceed_errors(const Ridge_field& field, const Ridge_view& view
   return result;
 }
 
-/// Of the lines along which b exceeds half of the errors that contain bias, those that are certain somewhere
+/// Of all vertices, errors of b that contain bias. That of a single vertex may be by far too small, so they are those
+/// around it in the root of the mean square, at least.
+inline std::vector<double> errors_around(const Ridge_field& field, const Ridge_view& view)
+{
+  const auto square = [&view](Index v) {
+    const double error = view[v].error.value_or(0);
+    return error * error;
+  };
+  std::vector<double> sums(field.points.size()), counts(field.points.size()), result(field.points.size());
+  for (const Ridge_triangle& triangle : field.triangles)
+    for (const Index v : triangle) {
+      for (const Index w : triangle) sums[v] += square(w);
+      counts[v] += 3;
+    }
+  for (Index v = 0; v < result.size(); ++v)
+    if (counts[v] > 0) result[v] = std::sqrt((std::max)(square(v), sums[v] / counts[v]));
+  return result;
+}
+
+/// Of the lines along which b exceeds a fifth of the errors that contain bias, those that are certain somewhere
 /// (hysteresis, as for the edges of an image): because b exceeds what errors can make of zero, or these errors many
 /// times. With little noise these may be too small on spheres, so it has to exceed a part of the other, which noise
 /// enlarges, too.
 inline std::vector<Ridge_segment> certain_lines(const Ridge_field& field, const Ridge_view& view,
                                                 const std::vector<Ridge_segment>& segments)
 {
-  const auto error = [&view](Index v) { return view[v].error.value_or(0); };
-  const auto exceeds_half = [&](Index v) { return std::abs(view.b(v)) > 0.5 * error(v); };
+  const std::vector<double> errors = errors_around(field, view);
+  const auto exceeds_a_part = [&](Index v) { return std::abs(view.b(v)) > 0.2 * errors[v]; };
   const auto is_certain = [&](Index v) {
     const double b = std::abs(view.b(v));
-    return b > view.tolerance(v) || (b > 6 * error(v) && b > 0.25 * view.tolerance(v));
+    return b > view.tolerance(v) || (b > 4 * errors[v] && b > 0.25 * view.tolerance(v));
   };
   const auto always = [](const Ridge_segment&, const Ridge_segment&) { return true; };
   const std::vector<Ridge_segment> weak =
-      segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_half), 0, always);
+      segments_near_certain_ones(segments, exceed_errors(field, view, segments, exceeds_a_part), 0, always);
   return segments_near_certain_ones(weak, exceed_errors(field, view, weak, is_certain), weak.size(), always);
 }
 

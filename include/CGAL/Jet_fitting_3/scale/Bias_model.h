@@ -192,6 +192,12 @@ struct Choice
   double risk() const { return variance + squared_bias; }
 };
 
+/// Whether a choice gives a candidate any weight.
+inline bool is_used(const Choice& choice, std::size_t candidate)
+{
+  return choice.exists() && choice.weights[candidate] > 0.02;
+}
+
 /// What a choice is a mean of.
 struct Mean_scale
 {
@@ -299,6 +305,30 @@ inline Choice choose_with_own_say(const Candidates& candidates, const Comparison
   for (double& term : model.terms) term *= factor;
   for (std::size_t t = 0; t < own.size(); ++t) raise(model, ladder, t, own[t], beyond_noise);
   return choose(candidates, model, target, square_of_noise);
+}
+
+/// The mean square by which candidates differ from their mean, over what a choice expects; 0 where that is nothing.
+inline double surprise(const Candidates& candidates, const Choice& choice, const Target& target)
+{
+  double square = 0, sum = 0;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    if (is_used(choice, c)) sum += choice.weights[c];
+  for (std::size_t k = target.first; k < target.last; ++k) {
+    double mean = 0;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (is_used(choice, c)) mean += choice.weights[c] * candidates[c].values[k] / sum;
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (is_used(choice, c)) square += choice.weights[c] * std::pow(candidates[c].values[k] - mean, 2);
+  }
+  return choice.spread > 0 ? square / (sum * choice.spread) : 0;
+}
+
+/// The squared bias, for intervals. It is known to a factor of a few where candidates differ by what is expected,
+/// elsewhere less.
+inline double doubtful_bias(const Candidates& candidates, const Choice& choice, const Target& target)
+{
+  constexpr double uncertain = 8;
+  return uncertain * std::max(1., surprise(candidates, choice, target)) * choice.squared_bias;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -22,12 +22,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Whether a choice gives a candidate any weight.
-inline bool is_used(const Choice& choice, std::size_t candidate)
-{
-  return choice.exists() && choice.weights[candidate] > 0.02;
-}
-
 /// Which candidates of a ladder are wanted.
 class Selection
 {

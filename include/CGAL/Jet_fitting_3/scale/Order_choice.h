@@ -210,7 +210,8 @@ private:
         value += choice.weights[c] * candidates[c].values[j];
       }
       result.derivatives.push_back(value * unit / sum / std::sqrt(binomial(m_order, j)));
-      result.risks.push_back(unit * unit * choice.risk() / binomial(m_order, j));
+      result.risks.push_back(unit * unit * (choice.variance + doubtful_bias(candidates, choice, m_targets[j])) /
+                             binomial(m_order, j));
     }
     return result;
   }

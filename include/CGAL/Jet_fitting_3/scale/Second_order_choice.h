@@ -510,27 +510,6 @@ private:
     return height / sum * square / (square + 16 * m_surface.given->weights[i]); // by information on x^2, degree 2
   }
 
-  // For intervals. A bias is known to a factor of a few where candidates differ by what is expected, elsewhere less.
-  static double doubtful_bias(const Candidates& candidates, const Choice& choice, const Target& target)
-  {
-    constexpr double uncertain = 8;
-    return uncertain * std::max(1., surprise(candidates, choice, target)) * choice.squared_bias;
-  }
-
-  // The mean square by which candidates differ from their mean, over what a choice expects; 0 where that is nothing.
-  static double surprise(const Candidates& candidates, const Choice& choice, const Target& target)
-  {
-    double x = 0, y = 0, square = 0, sum = 0;
-    const std::array<double, 3> q = mean(candidates, choice, x, y);
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (!is_used(choice, c)) continue;
-      sum += choice.weights[c];
-      for (std::size_t k = target.first; k < target.last; ++k)
-        square += choice.weights[c] * std::pow(candidates[c].values[k] - q[k], 2);
-    }
-    return choice.spread > 0 ? square / (sum * choice.spread) : 0;
-  }
-
   const Surface& m_surface;
   const std::vector<double>& m_squares_of_noise;
   Ladder m_ladder;

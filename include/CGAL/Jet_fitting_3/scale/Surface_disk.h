@@ -346,14 +346,14 @@ std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface,
 }
 
 /// Whether planes by degree 4 differ from those by degree 2 by far more than by noise: in the median of some vertices
-/// by 300 standard deviations. All of a surface are of one kind, since a potential sees how the normals of
+/// by 30 standard deviations. All of a surface are of one kind, since a potential sees how the normals of
 /// neighbors err beside each other.
 template <class Neighbors>
 bool need_finer_planes(const Surface_points<Neighbors>& surface, const std::vector<Tangent_plane>& planes,
                        const std::vector<double>& squares_of_noise)
 {
   constexpr std::size_t some = 300;
-  constexpr double far = 300 * 300;
+  constexpr double far = 30 * 30;
   Walker<Neighbors> walker(surface);
   std::vector<double> squares;
   for (std::size_t k = 0; k < some; ++k) {

@@ -204,8 +204,8 @@ private:
     return Base::is_finite(p.x) && Base::is_finite(p.y) && Base::is_finite(p.z);
   }
 
-  /// The unit is a power of two above the size of the bounding box, or far above that of most points, if some are so far
-  /// away that no digit of the squares of lengths among the others would be left.
+  /// The unit is a power of two above the size of the bounding box, or far above that of most points, if some are so
+  /// far away that no digit of the squares of lengths among the others would be left.
   template <class ConcurrencyTag>
   void measure(ConcurrencyTag)
   {
