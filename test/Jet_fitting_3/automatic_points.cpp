@@ -430,6 +430,26 @@ void slices_of_sphere(double apart, double noise)
   check_ge(double(held), 0.9 * double(2 * forms.size()), name + ": intervals that hold the curvature");
 }
 
+// Where no ball tells noise from the shape, errors are unknown instead of small.
+void noise_like_the_shape()
+{
+  for (const double noise : {0.3, 0.5}) {
+    const Cloud cloud = noisy_torus(2000, noise);
+    std::vector<Kernel::Point_3> points;
+    for (const Oriented& p : cloud.points) points.push_back(p.first);
+    std::vector<Form> forms;
+    const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms),
+                                                          CGAL::parameters::degree_monge(2));
+    std::size_t held = 0;
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const double mean = (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2;
+      const auto& errors = summary.quality(i).scale.curvature_errors;
+      if (std::abs(std::abs(mean) - std::abs(cloud.mean_curvature[i])) <= 1.96 * std::max(errors[0], errors[1])) ++held;
+    }
+    check_ge(double(held), 0.9 * double(forms.size()), "mean curvatures within their errors, noise " + text(noise));
+  }
+}
+
 // No degree above the one that is given is taken, and without one degree_monge may be any.
 void highest_degree()
 {
@@ -598,6 +618,7 @@ int main()
   for (const double apart : {1e-9, 1e-4}) near_copies(apart);
   lines_of_points();
   for (const double apart : {5., 20.}) slices_of_sphere(apart, 0.001);
+  noise_like_the_shape();
   highest_degree();
   for (const bool normals : {false, true}) outliers(normals);
   for (const double noise : {.003, .01})

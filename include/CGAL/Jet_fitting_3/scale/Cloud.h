@@ -48,6 +48,13 @@ struct Ladder
   bool with_normals;          ///< as data: fits are of the potential of the Gauss map
   std::size_t highest_choice; ///< the highest degree that may be chosen
 
+  /// Whether what is taken for noise may be the shape: it is no small part of the balls with the fewest neighbors, and
+  /// a quarter of it is uncertain, as other balls tell otherwise. Then nothing is known of the bias.
+  bool noise_may_be_shape() const
+  {
+    return 12 * noise.position > radii.front() && 4 * noise.position_error > noise.position;
+  }
+
   /// The radius of the patch over which the bias is averaged: a compromise between the bias of one place, and chance.
   double patch() const { return radii[radii.size() - 2]; }
 };

@@ -96,12 +96,22 @@ public:
     e.origin = frame.origin - cloud().points[i] + jet(0, 0) * frame.axes.z;
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
     e.coefficients = monge_coefficients(jet, monge, order);
-    e.curvature_errors = scale::curvature_errors(e.choice, monge, m_automatic.ladder(e.choice).noise.normal);
+    const Ladder& ladder = m_automatic.ladder(e.choice);
+    e.curvature_errors = scale::curvature_errors(e.choice, monge, ladder.noise.normal);
+    if (ladder.noise_may_be_shape()) forget_bias(e);
     return e;
   }
 
 private:
   using Fits = Fits_to_balls<Within>;
+
+  static void forget_bias(Estimate_at_scale& e)
+  {
+    for (Choice& choice : e.choice.curvatures) choice.squared_bias = unknown;
+    e.curvature_errors.fill(unknown);
+    for (double& error : e.third_order_errors)
+      if (error > 0) error = unknown;
+  }
 
   const Cloud& cloud() const { return m_automatic.cloud(); }
 
