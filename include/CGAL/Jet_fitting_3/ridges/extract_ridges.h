@@ -160,10 +160,11 @@ inline std::vector<double> errors_around(const Ridge_field& field, const Ridge_v
   };
   std::vector<double> sums(field.points.size()), counts(field.points.size()), result(field.points.size());
   for (const Ridge_triangle& triangle : field.triangles)
-    for (const Index v : triangle) {
-      for (const Index w : triangle) sums[v] += square(w);
-      counts[v] += 3;
-    }
+    for (const Index v : triangle)
+      for (const Index w : triangle) {
+        sums[v] += square(w);
+        ++counts[v];
+      }
   for (Index v = 0; v < result.size(); ++v)
     if (counts[v] > 0) result[v] = std::sqrt((std::max)(square(v), sums[v] / counts[v]));
   return result;

@@ -248,11 +248,12 @@ private:
   {
     const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
     for (int level = *least; level <= *most; ++level) {
-      Density here{density.radius * scale_of_level(level), {}, density.across_lines};
-      Noise noise = m_noise;
       const Indices at_level = *least == *most ? Indices() : places_of_level(sample, levels, level);
-      if (!at_level.empty()) {
-        here = {here.radius, std::vector<int>(at_level.size(), 0)};
+      Density here{density.radius * scale_of_level(level), std::vector<int>(at_level.size(), 0)};
+      Noise noise = m_noise;
+      if (at_level.empty()) {
+        here.across_lines = density.across_lines;
+      } else {
         here.across_lines = factor_across_lines(m_cloud, m_within, at_level, here);
         if (!knows_noise) noise = estimate_noise(m_cloud, m_within, at_level, here);
       }

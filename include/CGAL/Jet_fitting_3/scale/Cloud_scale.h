@@ -97,8 +97,8 @@ public:
     e.monge_axes = {frame.axes.out(monge.axes.x), frame.axes.out(monge.axes.y), frame.axes.out(monge.axes.z)};
     e.coefficients = monge_coefficients(jet, monge, order);
     const Ladder& ladder = m_automatic.ladder(e.choice);
-    e.curvature_errors = scale::curvature_errors(e.choice, monge, ladder.noise.normal);
     if (ladder.noise_may_be_shape()) forget_bias(e);
+    e.curvature_errors = scale::curvature_errors(e.choice, monge, ladder.noise.normal);
     return e;
   }
 
@@ -107,8 +107,8 @@ private:
 
   static void forget_bias(Estimate_at_scale& e)
   {
+    e.choice.is_chosen = false;
     for (Choice& choice : e.choice.curvatures) choice.squared_bias = unknown;
-    e.curvature_errors.fill(unknown);
     for (double& error : e.third_order_errors)
       if (error > 0) error = unknown;
   }

@@ -349,11 +349,12 @@ bool follow_from_faces(const Surface_points<Neighbors>& surface, const std::vect
                        const std::vector<Vector_3<double>>& of_faces)
 {
   constexpr double dependent = 0.5, far = 4; // square
-  const Deviations_of_normals low = deviations_of_normals<4>(surface, given, of_faces),
-                              high = deviations_of_normals<6>(surface, given, of_faces);
-  if (low.shares.empty() || scale::median(low.squares_of_given) >= far * scale::median(low.squares_of_faces))
+  const Deviations_of_normals low = deviations_of_normals<4>(surface, given, of_faces);
+  if (low.shares.empty() || !(scale::median(low.shares) > dependent) ||
+      scale::median(low.squares_of_given) >= far * scale::median(low.squares_of_faces))
     return false;
-  return scale::median(low.shares) > dependent && (high.shares.empty() || scale::median(high.shares) > dependent);
+  const std::vector<double> shares = deviations_of_normals<6>(surface, given, of_faces).shares;
+  return shares.empty() || scale::median(shares) > dependent;
 }
 
 /// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell

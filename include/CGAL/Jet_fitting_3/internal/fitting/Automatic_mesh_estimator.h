@@ -45,7 +45,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Normals_as_data
 {
   Unit_normals given;
-  std::vector<Vector_3<double>> of_faces; ///< none if they are data without a doubt
+  std::vector<Vector_3<double>> of_faces; ///< none where nothing is to be compared with them
   bool are_means_of_faces = false;
 
   bool are_data() const { return !given.empty() && !are_means_of_faces; }

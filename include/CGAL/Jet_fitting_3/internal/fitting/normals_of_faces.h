@@ -139,9 +139,8 @@ bool are_means_of_faces(const Mesh& mesh, const Numbering& number, const Point_t
 {
   if (normals.empty()) return false;
   std::vector<double> distances;
-  for (const auto& [i, faces] : faces_at_some_vertices(mesh, number, points, normals)) {
+  for (const auto& [i, faces] : faces_at_some_vertices(mesh, number, points, normals))
     if (have_three_normals(faces)) distances.push_back(distance_from_means(faces, normals[i]));
-  }
   return !distances.empty() && scale::median(distances) < 1;
 }
 

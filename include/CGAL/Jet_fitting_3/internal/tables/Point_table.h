@@ -154,14 +154,12 @@ public:
   /// the others are, and does not depend on their order. There is one at least.
   Vector_3<Data_number> middle() const
   {
-    std::vector<Data_number> sorted;
+    std::vector<Data_number> values;
     const auto median = [&](Data_number Vector_3<Data_number>::*coordinate) {
-      sorted.clear();
+      values.clear();
       for (Index i = 0; i < Base::size(); ++i)
-        if (is_finite(i)) sorted.push_back(Base::coordinates(i).*coordinate);
-      const auto result = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-      std::nth_element(sorted.begin(), result, sorted.end());
-      return *result;
+        if (is_finite(i)) values.push_back(Base::coordinates(i).*coordinate);
+      return middle_of(values);
     };
     using Vector = Vector_3<Data_number>;
     return {median(&Vector::x), median(&Vector::y), median(&Vector::z)};
@@ -241,8 +239,15 @@ private:
       const Vector_3<double> d = offset<double>(origin, i);
       extents.push_back((std::max)({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
     }
-    const auto result = extents.begin() + std::ptrdiff_t(extents.size() / 2);
-    std::nth_element(extents.begin(), result, extents.end());
+    return middle_of(extents);
+  }
+
+  /// The middle value; the order of the values is changed. There is one at least.
+  template <class Number>
+  static Number middle_of(std::vector<Number>& values)
+  {
+    const auto result = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), result, values.end());
     return *result;
   }
 
