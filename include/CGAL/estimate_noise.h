@@ -16,6 +16,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Point_set_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
+#include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>

@@ -47,23 +47,21 @@ struct Given_normals
   double factor = 1;           ///< makes noisy normals as long in the mean as those without noise
   double noise = 0;
   bool suffice_in_one_ring = false; ///< they count as much there as positions for a fit of degree 4
+
+  bool is_known(std::size_t i) const { return dot(normals[i], normals[i]) > 0; }
 };
 
-/// Takes the given normals in the place of others if these differ from them by more than the given ones' noise, and as
+/// Whether the given normals are better than others: these differ from them by more than the given ones' noise, and as
 /// much of their own, explains.
-inline void take_better_normals(const Given_normals& given, std::vector<Vector_3<double>>& normals)
+inline bool are_better(const Given_normals& given, const std::vector<Vector_3<double>>& normals)
 {
-  const auto is_known = [&](std::size_t i) { return dot(given.normals[i], given.normals[i]) > 0; };
   std::vector<double> squares;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vector_3<double> across = cross(given.normals[i], normals[i]);
-    if (is_known(i)) squares.push_back(dot(across, across));
+    if (given.is_known(i)) squares.push_back(dot(across, across));
   }
-  if (squares.empty()) return;
   const double of_two_squares = 2 * std::log(2.); // the median of the sum of two squares of normal variables
-  if (scale::median(squares) <= of_two_squares * 2 * given.noise * given.noise) return;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (is_known(i)) normals[i] = given.normals[i];
+  return !squares.empty() && scale::median(squares) > of_two_squares * 2 * given.noise * given.noise;
 }
 
 /// Points of a surface whose neighbors are known. Arrays are not owned.

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -259,102 +258,6 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
       result.by_scale.push_back({part[part.size() / 2].unit, noise});
   }
   return result;
-}
-
-/// The mean square of the difference of normals from those of a fit to their slopes alone, per degree of freedom of
-/// components, or infinity; made that of the variance as residual_variance() does.
-inline double residual_variance_of_normals(const std::vector<Vector_3<double>>& places,
-                                           const std::vector<Vector_3<double>>& normals, std::size_t degree)
-{
-  const std::size_t unknowns = number_of_jet_coefficients(degree) - 1;
-  if (2 * places.size() < unknowns + 8) return std::numeric_limits<double>::infinity();
-  std::vector<Slope> slopes;
-  for (const Vector_3<double>& n : normals) slopes.push_back(*slope_of(n));
-  Moments moments;
-  moments.slope_weight = 1e12; // heights have no say
-  moments.add<highest_degree>(places.data(), places.size());
-  moments.add_slopes<highest_degree>(places.data(), slopes.data(), places.size());
-  const Normal_matrix matrix(moments, degree);
-  if (!matrix.is_regular()) return std::numeric_limits<double>::infinity();
-  const auto c = matrix.solution(moments.heights, degree);
-  double sum = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const scale::Polynomial_value fitted = value_at(c, degree, places[k].x, places[k].y);
-    const Vector_3<double> n = axes_around(Vector_3<double>{-fitted.slope_u, -fitted.slope_v, 1}).z;
-    const Vector_3<double> across = cross(n, normals[k]);
-    sum += dot(across, across);
-  }
-  const double freedom = double(2 * places.size() - unknowns);
-  return scale::median_correction(freedom) * sum / freedom;
-}
-
-/// That of normals of length 1, one for each point; those that are unknown are 0.
-template <class Neighbors>
-Size_of_noise noise_of_normals(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& normals)
-{
-  constexpr std::size_t first_ring = 2;
-  const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
-                            double unit) {
-    std::vector<Vector_3<double>> places, in_frame;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vector_3<double> n = frame.axes.in(normals[vertices[k]]);
-      if (!slope_of(n)) continue;
-      places.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
-      in_frame.push_back(n);
-    }
-    return residual_variance_of_normals(places, in_frame, degree);
-  };
-  return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, variance), surface.points.size(), first_ring);
-}
-
-/// At places of a surface, what given normals deviate from those of fits to three rings: which part of what those of
-/// the faces deviate is in it, and the squares of both.
-struct Deviations_of_normals
-{
-  std::vector<double> shares, squares_of_given, squares_of_faces;
-};
-
-template <std::size_t degree, class Neighbors>
-Deviations_of_normals deviations_of_normals(const Surface_points<Neighbors>& surface,
-                                            const std::vector<Vector_3<double>>& given,
-                                            const std::vector<Vector_3<double>>& of_faces)
-{
-  Deviations_of_normals result;
-  visit_places(surface, 3, [&](std::size_t i, const Local_frame& frame, const auto& found, const auto&) {
-    std::vector<Vector_3<double>> local;
-    for (const std::size_t v : found) local.push_back(1 / surface.units[i] * frame.in(surface.points[v]));
-    Moments moments;
-    moments.add<degree>(local.data(), local.size());
-    const Normal_matrix matrix(moments, degree);
-    if (local.size() < number_of_jet_coefficients(degree) + 8 || !matrix.is_regular()) return;
-    const auto c = matrix.solution(moments.heights, 1);
-    const std::optional<Slope> a = slope_of(frame.axes.in(given[i])), b = slope_of(frame.axes.in(of_faces[i]));
-    if (!a || !b) return;
-    const Slope first{a->x - c[1], a->y - c[2]}, second{b->x - c[1], b->y - c[2]};
-    result.squares_of_given.push_back(first.x * first.x + first.y * first.y);
-    result.squares_of_faces.push_back(second.x * second.x + second.y * second.y);
-    if (result.squares_of_faces.back() > 0)
-      result.shares.push_back((first.x * second.x + first.y * second.y) / result.squares_of_faces.back());
-  });
-  return result;
-}
-
-/// Whether normals follow from those of the faces, as far as fits tell: half of what these deviate is in given ones,
-/// too, and these do not deviate by far more. Of independent normals it is nothing in the mean, whatever the noise of
-/// both: the error of a least squares fit is uncorrelated with what other estimates differ from it. But a bias of the
-/// fit is in both: without noise that of degree 4 may be most of it, and with noise degree 6 is too near to the
-/// samples, so it must be so for both.
-template <class Neighbors>
-bool follow_from_faces(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& given,
-                       const std::vector<Vector_3<double>>& of_faces)
-{
-  constexpr double dependent = 0.5, far = 4; // square
-  const Deviations_of_normals low = deviations_of_normals<4>(surface, given, of_faces);
-  if (low.shares.empty() || !(scale::median(low.shares) > dependent) ||
-      scale::median(low.squares_of_given) >= far * scale::median(low.squares_of_faces))
-    return false;
-  const std::vector<double> shares = deviations_of_normals<6>(surface, given, of_faces).shares;
-  return shares.empty() || scale::median(shares) > dependent;
 }
 
 /// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell

@@ -24,6 +24,7 @@
 #include <CGAL/Jet_fitting_3/scale/Order_choice.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
 #include <CGAL/Jet_fitting_3/scale/jet_of_disk.h>
+#include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>
@@ -187,11 +188,13 @@ private:
       throw Invalid_input(
           "automatic() cannot tell the noise of the normals of this mesh of " + std::to_string(tables.points.size()) +
           " vertices: too few are known within two rings. Options::position_noise and normal_noise give both");
-    // Points whose noise cannot be told from what fits leave without any: with slopes these are smaller
+    // Points whose noise cannot be told from what fits leave without any: with slopes these leave less
     constexpr double height_over_slope = 0.25;
-    if (noise.position <= noise.position_error)
-      for (double& square : m_squares_of_noise)
-        square = (std::min)(square, averaging::variance_in_units(height_over_slope * noise.normal, 1));
+    if (noise.position <= noise.position_error) {
+      const double beside = averaging::noise_beside_normals(m_surface.surface(), given);
+      const double most = averaging::variance_in_units((std::max)(beside, height_over_slope * noise.normal), 1);
+      for (double& square : m_squares_of_noise) square = (std::min)(square, most);
+    }
     m_surface.take_normals(std::move(given), noise.normal);
   }
 

@@ -119,7 +119,7 @@ public:
     }
     m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds, least_cosine);
     if (m_surface.given) {
-      averaging::take_better_normals(m_given, m_normals);
+      if (averaging::are_better(m_given, m_normals)) take_exact_places();
       weigh_normals(squares_of_noise);
     }
     m_surface.planes = &m_planes;
@@ -127,6 +127,17 @@ public:
   }
 
 private:
+  // The given normals, and points themselves as origins: those of planes are as far beside the surface as fits from
+  // positions alone err, and potentials would not have the slopes that the normals tell.
+  void take_exact_places()
+  {
+    for (std::size_t i = 0; i < m_planes.size(); ++i) {
+      if (!m_given.is_known(i)) continue;
+      m_normals[i] = m_given.normals[i];
+      m_planes[i].origin = m_points[i];
+    }
+  }
+
   // By their own noise, and that of positions, which are moved along a surface that bends.
   void weigh_normals(const std::vector<double>& squares_of_noise)
   {
