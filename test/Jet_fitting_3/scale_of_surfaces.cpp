@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -105,6 +106,27 @@ void squares_do_not_depend_on_axes()
   test::check_near(scale::covariance(t, t, {0, 3}), scale::covariance(c, c, {0, 3}), 1e-10, "variance in turned axes");
   test::check_near(scale::error_products(t, t, {0, 3})[6], scale::error_products(c, c, {0, 3})[6], 1e-10,
                    "errors in turned axes");
+}
+
+// The curvature of principal axes that comes first, of two in axes turned by an angle.
+double first_of(double a, double b, double angle, const std::array<double, 3>& others)
+{
+  const std::array<double, 3> q = scale::turn({a, 0, b}, std::cos(angle), std::sin(angle));
+  const auto [cosine, sine] = scale::principal_axis_as(others, q);
+  return scale::turn(q, cosine, sine)[0];
+}
+
+void axes_have_the_order_of_others()
+{
+  for (const double angle : {0., .3, 1.2, 2.})
+    for (const double sign : {1., -1.}) {
+      const std::array<double, 3> others{sign, 0, -.8 * sign};
+      for (const double ratio : {.9, 1.1})
+        test::check_near(first_of(sign, -ratio * sign, angle, others), sign, 1e-14,
+                         "both of a size: that of the same sign");
+      test::check_near(first_of(-sign, .1 * sign, angle, others), -sign, 1e-14, "the larger one in size");
+      test::check_near(first_of(-sign, -.9 * sign, angle, others), -sign, 1e-14, "of one sign: the larger one in size");
+    }
 }
 
 void too_few_samples_are_no_candidate()
@@ -298,6 +320,7 @@ int main()
   responses_are_what_fits_answer();
   covariances_are_sums_over_samples();
   squares_do_not_depend_on_axes();
+  axes_have_the_order_of_others();
   too_few_samples_are_no_candidate();
   weights_have_least_risk();
   model_finds_the_variances_of_terms();

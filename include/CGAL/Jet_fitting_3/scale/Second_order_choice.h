@@ -95,6 +95,7 @@ public:
   template <class For_each>
   void learn_components(const For_each& for_each)
   {
+    take_principal_axes();
     for_each(m_places.size(), [&] {
       return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
         compare_components(walker, m_places[k]);
@@ -111,7 +112,8 @@ public:
 
   /// What is claimed at a place by disks.
   const Choice& choice(std::size_t place) const { return m_places[place].choices[all]; }
-  /// z_xx, sqrt(2) z_xy, z_yy at a place by disks, in axes that do not depend on the height, per unit.
+  /// z_xx, sqrt(2) z_xy, z_yy at a place by disks, in axes that do not depend on the height before components are
+  /// learned, per unit.
   const std::array<double, 3>& derivatives(std::size_t place) const { return m_places[place].q; }
 
   /// The number of shells that choices use.
@@ -139,7 +141,7 @@ public:
     if (!result.choices[all].exists()) return estimate_of_rings(m_surface, walker, i, m_squares_of_noise[i]);
     result.exists = true;
     std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
-    const auto [cosine, sine] = principal_axis(q);
+    const auto [cosine, sine] = principal_axis_as(place.q, q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
     q = turn(q, cosine, sine);
     const double x = result.x;
@@ -166,14 +168,14 @@ private:
   {
     std::size_t vertex;
     std::size_t model = 0; // the nearest one
-    Local_frame frame;     // x the direction of the larger curvature
+    Local_frame frame;     // in the end in principal axes, in the order of those of the model's place
     std::array<Candidates, shapes.size()> candidates;
     std::array<std::array<Comparisons, 4>, shapes.size()> comparisons; // all only for disks
     std::array<std::vector<double>, shapes.size()> variances;
     std::array<Choice, 4> choices;
     std::array<Selection, shapes.size()> selections; // what they use
     std::array<Selection, shapes.size()> hopeful;    // what vertices around it may use
-    std::array<double, 3> q{};                       // second derivatives by disks
+    std::array<double, 3> q{};                       // second derivatives by disks, in the axes of the frame
     double own_size = 0;                             // sum of the squares of the second derivatives
   };
 
@@ -276,6 +278,26 @@ private:
   // Means over a part of the surface err by less than curvatures differ on all of it. In 1 / length^2.
   double most_squared_bias(const Place& place) const { return std::max(m_variation, m_models[place.model].variation); }
 
+  // Of the places of models, and then of those that use these.
+  void take_principal_axes()
+  {
+    for (std::size_t k = 0; k < m_places.size(); k += places_per_model)
+      take_axes(m_places[k], principal_axis(m_places[k].q));
+    for (std::size_t k = 0; k < m_places.size(); ++k)
+      if (k % places_per_model > 0)
+        take_axes(m_places[k], principal_axis_as(place_of(m_places[k].model).q, m_places[k].q));
+  }
+
+  static void take_axes(Place& place, const std::pair<double, double>& axis)
+  {
+    const auto [cosine, sine] = axis;
+    place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
+    place.q = turn(place.q, cosine, sine);
+    for (Candidate& candidate : place.candidates[0]) turn(candidate, cosine, sine);
+  }
+
+  const Place& place_of(std::size_t model) const { return m_places[model * places_per_model]; }
+
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
   {
     place.frame = tangent_frame(m_surface, walker, place.vertex);
@@ -302,10 +324,13 @@ private:
     const std::size_t count = std::min(patch, near.size());
     std::vector<const Comparisons*> members;
     double size = 0, square = squared_distance(center.point, m_points[near.back().second].point);
+    const std::array<double, 3>& order = place_of(m).q;
     for (std::size_t k = 0; k < count; ++k) {
+      const Place& place = m_places[near[k].second];
       square = std::max(square, squared_distance(center.point, m_points[near[k].second].point));
-      members.push_back(&m_places[near[k].second].comparisons[shape][target]);
-      size += m_places[near[k].second].own_size / double(count);
+      size += place.own_size / double(count);
+      if (target == all || !are_reversed(place.q, order)) members.push_back(&place.comparisons[shape][target]);
+      else if (shape == 0) members.push_back(&place.comparisons[0][2 - target]); // ellipses are the other way
     }
     const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / center.unit, targets[target]);
     return bias_model(means, m_ladder, 2, size / size_of_unit_terms(2));
@@ -316,9 +341,6 @@ private:
     for (std::size_t s = 0; s < shapes.size(); ++s)
       for (std::size_t t = 0; t < all; ++t) place.comparisons[s][t].resize(m_ladder.pairs.size());
     if (!place.choices[all].exists()) return;
-    const auto [cosine, sine] = principal_axis(place.q);
-    place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
-    for (Candidate& candidate : place.candidates[0]) turn(candidate, cosine, sine);
     for (std::size_t s = 0; s < shapes.size(); ++s) {
       if (s > 0)
         place.candidates[s] =
@@ -375,8 +397,8 @@ private:
   }
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
-  static std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target,
-                                const std::array<std::size_t, 3>& allowed)
+  std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target,
+                         const std::array<std::size_t, 3>& allowed) const
   {
     std::size_t best = 0;
     double least = 0;
@@ -384,7 +406,8 @@ private:
       if (s == 0 || !choices[near[0].second][s][target].exists()) continue;
       double gain = std::log(margin), count = 0;
       for (const auto& [square, k] : near)
-        if (choices[k][s][target].exists() && choices[k][0][target].exists()) {
+        if (!are_reversed(m_places[k].q, m_places[near[0].second].q) && choices[k][s][target].exists() &&
+            choices[k][0][target].exists()) {
           gain += std::log(choices[k][s][target].risk() / choices[k][0][target].risk()) / double(near.size());
           count += 1;
         }

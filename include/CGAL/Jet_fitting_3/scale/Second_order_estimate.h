@@ -45,7 +45,7 @@ inline Interval_error in_lengths(const Interval_error& e, double unit)
 }
 
 /// Derivatives of order 2 at a vertex as means of several fits, in a frame near the tangent plane whose x axis is near
-/// the principal direction of the curvature that is larger in size.
+/// the principal direction of the curvature that is larger in size, there or where it learned from.
 struct Second_order_estimate
 {
   Local_frame frame;
@@ -79,6 +79,23 @@ inline std::array<double, 3> turn(const std::array<double, 3>& q, double cosine,
 {
   const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
   return {c2 * q[0] + r * q[1] + s2 * q[2], -r * q[0] + (c2 - s2) * q[1] + r * q[2], s2 * q[0] - r * q[1] + c2 * q[2]};
+}
+
+/// Whether two curvatures in principal axes, the larger one in size first, are in the order opposite to that of others.
+/// Where they are of a size and have opposite signs, as on minimal surfaces, the order of sizes is chance, and that of
+/// signs is not.
+inline bool are_reversed(const std::array<double, 3>& q, const std::array<double, 3>& others)
+{
+  constexpr double similar = 0.5;
+  return q[0] * q[2] < 0 && std::abs(q[2]) > similar * std::abs(q[0]) && q[0] * others[0] < 0;
+}
+
+/// As principal_axis(), but in the order of others in their principal axes.
+inline std::pair<double, double> principal_axis_as(const std::array<double, 3>& others, const std::array<double, 3>& q)
+{
+  const auto [cosine, sine] = principal_axis(q);
+  if (!are_reversed(turn(q, cosine, sine), others)) return {cosine, sine};
+  return {-sine, cosine};
 }
 
 /// Axes that are turned around z.
