@@ -167,8 +167,9 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
         Indices near;
         within(i, scale::reach(cloud, ladder, ladder.radii.size()), near);
         const scale::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
-        squares.add(scale::fit_at_scale(cloud, near, frame, radius, degree, automatic.noise(), solver).fit.jet, frame,
-                    noisy.truth[i]);
+        const auto in_ball = scale::inside(cloud, near, frame, radius);
+        squares.add(scale::fit_to_samples(cloud, in_ball, frame, radius, degree, automatic.noise(), solver).fit.jet,
+                    frame, noisy.truth[i]);
       }
       for (int q = 0; q < 4; ++q) best.of[q] = std::min(best.of[q], squares.of[q] / double(squares.count));
     }

@@ -183,7 +183,7 @@ public:
     Choice* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
     for (std::size_t t = 0; t < number_of_targets; ++t) {
       const double bias = worse * chosen.squared_biases[t];
-      *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown, 1, neighbors.size()};
+      *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};
     }
     scale.in_ball = scale.curvatures[0];
     scale.over_surface.resize(rung + 1);

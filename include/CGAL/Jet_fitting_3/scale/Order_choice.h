@@ -75,8 +75,6 @@ public:
     learn(vertices, frame_at, for_each);
   }
 
-  const Ladder& ladder() const { return m_ladder; }
-
   /// At any vertex.
   Order_estimate estimate(Worker& worker, Vertex i, const Local_frame& frame) const
   {

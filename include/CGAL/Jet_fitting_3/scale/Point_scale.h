@@ -32,7 +32,6 @@ struct Choice
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
-  std::size_t neighbors = 0;             ///< of the fit
   Roundness round{};                     ///< of the heights that are fitted
 };
 
@@ -86,17 +85,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
       if (!(risk < least)) continue;
       least = risk;
-      choice = {ladder.radii[j],
-                shape,
-                j,
-                degree,
-                b.value,
-                v,
-                b.most,
-                b.evidence,
-                fit.excess,
-                std::size_t(rungs[j].size(degree)),
-                fit.round};
+      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.excess, fit.round};
     }
   return least;
 }

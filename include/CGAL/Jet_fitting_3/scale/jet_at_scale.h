@@ -69,14 +69,6 @@ Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Loc
   return result;
 }
 
-/// To a ball. \param near holds the neighbors within the radius, and perhaps others
-template <class Solver>
-Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
-                          std::size_t degree, const Noise& noise, Solver& solver)
-{
-  return fit_to_samples(cloud, inside(cloud, near, frame, radius), frame, radius, degree, noise, solver);
-}
-
 /// The neighbors of a choice. \param near holds the neighbors within reach() of it, and perhaps others
 inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& c)
 {
