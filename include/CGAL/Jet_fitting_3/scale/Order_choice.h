@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>

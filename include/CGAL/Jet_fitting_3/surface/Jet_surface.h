@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace CGAL {
 namespace Jet_fitting {
