@@ -39,13 +39,6 @@ inline Vector_3<double> unit_vector(const Vector_3<double>& v)
   return square > 0 ? (1 / std::sqrt(square)) * v : Vector_3<double>{0, 0, 1};
 }
 
-/// Any axes with this z (Duff et al. 2017).
-inline Basis_3<double> axes_around(const Vector_3<double>& z)
-{
-  const double sign = z.z < 0 ? -1 : 1, a = -1 / (sign + z.z), b = z.x * z.y * a;
-  return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
-}
-
 /// Where the neighbors of a fit are: in a ball, or in an ellipse that has its radius along one axis of the frame.
 enum class Shape
 {
@@ -167,11 +160,11 @@ inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std
     const Vector_3<double> d = cloud.points[k] - cloud.points[i];
     if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > -0.2) sum = sum + cloud.normals[k];
   }
-  Local_frame frame{cloud.points[i], axes_around(unit_vector(sum))};
+  Local_frame frame{cloud.points[i], basis_around(unit_vector(sum))};
   const Nested_fit fit = fit_ball(cloud, near, frame, larger, noise);
   if (!fit.determines(2)) return frame;
   const double x = fit.coefficient(1, 2), y = fit.coefficient(2, 2), square = x * x + y * y;
-  if (square < 1) frame.axes = axes_around(unit_vector(frame.axes.out({-x, -y, std::sqrt(1 - square)})));
+  if (square < 1) frame.axes = basis_around(unit_vector(frame.axes.out({-x, -y, std::sqrt(1 - square)})));
   return frame;
 }
 
@@ -219,7 +212,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
   const Vector_3<double> p = cloud.points[i];
   Local_frame frame{p, {}};
   const Indices nearest = inside(cloud, near, frame, radius + 5 * noise.position);
-  frame.axes = axes_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
+  frame.axes = basis_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
   for (int round = 0; round < 2; ++round) {
     const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
     if (!fit.determines(2)) return frame;
@@ -227,7 +220,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
     const Vector_3<double> normal = frame.axes.out(n);
     const Vector_3<double> foot = frame.origin + (fit.coefficient(0, 2) * radius * n.z) * normal;
     if (dot(foot - p, foot - p) <= 25 * noise.position * noise.position) frame.origin = foot;
-    frame.axes = axes_around(unit_vector(normal));
+    frame.axes = basis_around(unit_vector(normal));
   }
   return frame;
 }

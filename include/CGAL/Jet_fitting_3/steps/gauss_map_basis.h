@@ -41,15 +41,6 @@ Vector_3<FT> mean_normal(const Oriented_samples<FT>& samples)
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// An orthonormal basis with the given z axis, a unit vector, as Duff et al. (2017) have it: no case is singular.
-template <class FT>
-Basis_3<FT> basis_around(const Vector_3<FT>& z)
-{
-  const FT sign = numeric::select(z.z < FT(0), FT(-1), FT(1)), a = FT(-1) / (sign + z.z), b = z.x * z.y * a;
-  return {{FT(1) + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
-}
-
-/// \ingroup PkgJetFitting3Steps
 /// The basis with the given z axis, whose x axis is the direction across it in which the samples spread most.
 template <class FT>
 Fitting_basis<FT> spread_basis(const Samples<FT>& samples, const Vector_3<FT>& z)
