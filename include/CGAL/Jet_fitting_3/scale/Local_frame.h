@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,9 +116,6 @@ inline Local_sample turned(Local_sample s, double cosine, double sine)
   return s;
 }
 
-/// What makes noisy normals of length 1 as long in the mean as those without noise.
-inline double normal_factor(const Noise& noise) { return 1 / (1 - std::min(0.25, noise.normal * noise.normal)); }
-
 /// 1 / s^2 for lengths in the given unit, 1 / s_n^2. Without noise what counts is the ratio: ten times s for a normal,
 /// and digits that the choice can trust.
 struct Row_weights
@@ -137,7 +135,7 @@ inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_
                            const Noise& noise)
 {
   Shell_sums sums;
-  const double factor = normal_factor(noise);
+  const double factor = normal_factor(noise.normal);
   std::vector<Vector_3<double>> heights;
   heights.reserve(near.size());
   for (const std::size_t i : near) {

@@ -288,7 +288,7 @@ public:
                      std::size_t rungs)
     : m_balls(ladder, look_at_all(rungs)), m_weights(cloud, ladder.noise, m_balls.unit())
   {
-    const double factor = normal_factor(ladder.noise);
+    const double factor = normal_factor(ladder.noise.normal);
     m_samples.reserve(near.size());
     for (const std::size_t i : near) {
       Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), factor);
