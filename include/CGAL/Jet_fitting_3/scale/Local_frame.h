@@ -97,7 +97,7 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   Local_sample s{r.x, r.y, r.z, 0, 0, 0, dot(d, d), true};
   if (!cloud.has_normals()) return s;
   const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
-  s.is_there = n.z >= -0.2 && cloud.is_sample(i);
+  s.is_there = n.z >= least_cosine_on_sheet && cloud.is_sample(i);
   s.lever = 0.25 * r.z * r.z * (n.x * n.x + n.y * n.y);
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
@@ -156,7 +156,8 @@ inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std
   Vector_3<double> sum{0, 0, 0};
   for (const std::size_t k : near) {
     const Vector_3<double> d = cloud.points[k] - cloud.points[i];
-    if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > -0.2) sum = sum + cloud.normals[k];
+    if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > least_cosine_on_sheet)
+      sum = sum + cloud.normals[k];
   }
   Local_frame frame{cloud.points[i], basis_around(unit_vector(sum))};
   const Nested_fit fit = fit_ball(cloud, near, frame, larger, noise);

@@ -94,8 +94,7 @@ void set_noise(Gauss_map_rows<FT>& rows, const Data_noise<FT>& noise)
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// Change of coordinates, as heights() has it. Where the normal is more than about 100 degrees away from the z axis,
-/// n_z < -1/5, the neighbor is taken for one of another sheet, and left out.
+/// Change of coordinates, as heights() has it. Where n_z < least_cosine_on_sheet the neighbor is left out.
 template <class FT>
 Gauss_map_rows<FT> gauss_map_rows(const Oriented_samples<FT>& samples, const Basis_3<FT>& basis,
                                   const Data_noise<FT>& noise)
@@ -113,7 +112,7 @@ Gauss_map_rows<FT> gauss_map_rows(const Oriented_samples<FT>& samples, const Bas
     Rows::store(dot(n, x), rows.nx.data() + i);
     Rows::store(dot(n, y), rows.ny.data() + i);
     Rows::store(nz, rows.nz.data() + i);
-    Rows::store(numeric::select(nz < Row(-0.2), Row(0), root_weight), rows.root_weight.data() + i);
+    Rows::store(numeric::select(nz < Row(least_cosine_on_sheet), Row(0), root_weight), rows.root_weight.data() + i);
   }
   set_noise(rows, noise);
   return rows;

@@ -28,6 +28,11 @@ struct Data_noise
 };
 
 /// \ingroup PkgJetFitting3Steps
+/// A neighbor whose normal is more than about 100 degrees away from that of the surface is taken for one of another
+/// sheet, and left out: the cosine.
+constexpr double least_cosine_on_sheet = -0.2;
+
+/// \ingroup PkgJetFitting3Steps
 /// Makes unit normals of noisy vectors, which are shorter by 1 - s_n^2 in the mean, as long as those without noise.
 /// \param noise s_n, which counts as 1/2 at most
 template <class FT>
