@@ -358,9 +358,7 @@ inline Turn turn_towards(const Vector_3<double>& direction, const Local_frame& f
 
 inline Local_frame turned(const Local_frame& frame, const Turn& turn)
 {
-  const Basis_3<double>& axes = frame.axes;
-  const double c = turn.cosine, s = turn.sine;
-  return {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
+  return {frame.origin, turned_axes(frame.axes, turn.cosine, turn.sine)};
 }
 
 /// Fits around a point from positions alone, and no ellipses.

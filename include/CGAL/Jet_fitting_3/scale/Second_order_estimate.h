@@ -81,12 +81,6 @@ inline std::array<double, 3> turn(const std::array<double, 3>& q, double cosine,
   return numeric::second_derivatives_map(cosine, sine)(q);
 }
 
-/// Axes that are turned around z.
-inline Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
-{
-  return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
-}
-
 /// Squared errors of the images under a linear map, if errors are independent.
 template <class Map>
 std::array<double, 3> mapped_squares(const Map& map, const std::array<double, 3>& squares)
