@@ -37,7 +37,6 @@ struct One_by_one
   }
 };
 
-/// \ingroup PkgJetFitting3Choice
 /// Chooses radius and degree at the points of a cloud: learns the noise of the whole, and the bias of all candidates on
 /// a subsample, every 25th point; then each point can be asked. What is chosen depends on nothing but the points, their
 /// order, and the order in which neighbors are given.

@@ -42,7 +42,6 @@ struct Estimate_at_scale
   bool is_determined = true;                  ///< by the samples, if there are enough; else there is no form
 };
 
-/// \ingroup PkgJetFitting3Choice
 /// Monge forms at the points of a cloud, radius and degree being chosen. The arrays are not owned.
 template <class Within>
 class Cloud_scale
