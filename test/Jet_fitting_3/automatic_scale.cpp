@@ -313,7 +313,7 @@ void digits_of_the_choice()
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
     const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(choice), solver);
-    const auto fitted = [&](const scale::Choice& c) {
+    const auto fitted = [&](const scale::Chosen_fit& c) {
       return scale::fit_of_choice(cloud, near, choice, c, automatic.noise(), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),

@@ -127,7 +127,7 @@ private:
     double factor = 2;              // of these risks, above which another choice is looked for
   };
 
-  static double risk(const Choice& c) { return c.squared_bias + c.variance; }
+  static double risk(const Chosen_fit& c) { return c.squared_bias + c.variance; }
 
   static Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local)
   {

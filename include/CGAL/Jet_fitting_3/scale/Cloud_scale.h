@@ -107,7 +107,7 @@ private:
   static void forget_bias(Estimate_at_scale& e)
   {
     e.choice.is_chosen = false;
-    for (Choice& choice : e.choice.curvatures) choice.squared_bias = unknown;
+    for (Chosen_fit& choice : e.choice.curvatures) choice.squared_bias = unknown;
     for (double& error : e.third_order_errors)
       if (error > 0) error = unknown;
   }
@@ -120,7 +120,7 @@ private:
   {
     if (cloud().has_data(i)) return false;
     double radius = choice.normal.radius;
-    for (const Choice& c : choice.curvatures) radius = std::min(radius, c.radius);
+    for (const Chosen_fit& c : choice.curvatures) radius = std::min(radius, c.radius);
     const Vector_3<double>& point = cloud().points[i];
     const Indices samples = inside(cloud(), near, {point, {}}, radius);
     if (samples.empty()) return true;

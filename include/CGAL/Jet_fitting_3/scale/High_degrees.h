@@ -180,7 +180,7 @@ public:
     const Fitted_derivatives d = Derivatives_of_degrees(fit, rows(neighbors))(chosen.degree);
     const double worse =
         std::max(std::pow(radius / ladder.radii[chosen.rung], 2 * chosen.degree), d.residual / chosen.residual);
-    Choice* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+    Chosen_fit* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
     for (std::size_t t = 0; t < number_of_targets; ++t) {
       const double bias = worse * chosen.squared_biases[t];
       *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};
@@ -195,7 +195,7 @@ public:
   static double risk(const Point_scale& scale)
   {
     double sum = 0;
-    for (const Choice& c : scale.curvatures) sum += c.squared_bias + c.variance;
+    for (const Chosen_fit& c : scale.curvatures) sum += c.squared_bias + c.variance;
     return sum;
   }
 

@@ -172,7 +172,7 @@ private:
   /// The root of the mean of the squares of the radii, and the like, over the two curvatures.
   static Chosen_scale of_curvatures(const scale::Estimate_at_scale& e)
   {
-    const scale::Choice &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
+    const scale::Chosen_fit &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
     Chosen_scale chosen;
     chosen.radius = std::hypot(radius_of_area(x), radius_of_area(y)) / std::sqrt(2);
     chosen.degree = (std::max)(x.degree, y.degree);
