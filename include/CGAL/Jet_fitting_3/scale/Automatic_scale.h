@@ -59,7 +59,7 @@ public:
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Automatic_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
+                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree)
     : m_cloud(cloud), m_within(within), m_highest_choice(highest_choice)
   {
     const Indices some = places_for_noise(cloud);

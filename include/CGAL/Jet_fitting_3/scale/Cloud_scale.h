@@ -55,7 +55,7 @@ public:
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
+              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree,
               std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
     : m_automatic(cloud, within, for_each, noise, highest_choice),
       m_high(m_automatic.cloud(), within, noise ? 0 : highest_of_orders)

@@ -137,8 +137,8 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
     is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
     for (std::size_t k = known + 1; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
   }
-  if (scale.is_chosen &&
-      (scale.normal.degree > highest_degree || noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius))) {
+  if (scale.is_chosen && (scale.normal.degree > highest_nested_degree ||
+                          noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius))) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
   } else {
     const Jet<double> of_normal = fitted(scale.normal);

@@ -49,7 +49,7 @@ public:
                 const Options& options)
     : m_cloud(tables, normals),
       m_scale(cloud<ConcurrencyTag>(options), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
-              (std::min)(degrees.highest, scale::highest_degree), degrees.order, degrees.highest)
+              (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest)
   {}
 
   const auto& scale() const { return m_scale; }
