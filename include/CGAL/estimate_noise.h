@@ -24,13 +24,11 @@
 #include <CGAL/tags.h>
 
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {

@@ -167,8 +167,9 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
         Indices near;
         within(i, scale::reach(cloud, ladder, ladder.radii.size()), near);
         const scale::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
-        squares.add(scale::fit_at_scale(cloud, near, frame, radius, degree, automatic.noise(), solver).fit.jet, frame,
-                    noisy.truth[i]);
+        const auto in_ball = scale::inside(cloud, near, frame, radius);
+        squares.add(scale::fit_to_samples(cloud, in_ball, frame, radius, degree, automatic.noise(), solver).fit.jet,
+                    frame, noisy.truth[i]);
       }
       for (int q = 0; q < 4; ++q) best.of[q] = std::min(best.of[q], squares.of[q] / double(squares.count));
     }
@@ -312,7 +313,7 @@ void digits_of_the_choice()
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
     const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(choice), solver);
-    const auto fitted = [&](const scale::Choice& c) {
+    const auto fitted = [&](const scale::Chosen_fit& c) {
       return scale::fit_of_choice(cloud, near, choice, c, automatic.noise(), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),

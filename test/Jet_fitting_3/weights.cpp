@@ -213,6 +213,7 @@ void refused()
   check_throws<Invalid_input>(with(19, 1.), {"19", "20"}, "too few weights");
   check_throws<Invalid_input>(with(21, 1.), {"21", "20"}, "too many weights");
   check_throws<Invalid_input>(with(20, -0.5), {"weight of point 7", "-0.5"}, "a negative weight");
+  check_throws<Invalid_input>(with(20, -1e-9), {"weight of point 7", "-1e-09"}, "a small one");
   check_throws<Invalid_input>(with(20, infinity), {"weight of point 7", "inf"}, "an infinite weight");
   check_throws<Invalid_input>(with(20, infinity - infinity), {"weight of point 7", "nan"},
                               "a weight that is not a number");

@@ -145,7 +145,7 @@ inline Truth truth(const Surface& surface, const Vector& p)
   const Number f = surface.at(p);
   const double length = std::sqrt(dot(f.gradient, f.gradient));
   const Vector n = (1 / length) * f.gradient;
-  const auto axes = CGAL::Jet_fitting::scale::axes_around(n);
+  const auto axes = CGAL::Jet_fitting::basis_around(n);
   const auto e = CGAL::Jet_fitting::numeric::symmetric_eigen_2(dot(axes.x, f.second * axes.x) / length,
                                                                dot(axes.x, f.second * axes.y) / length,
                                                                dot(axes.y, f.second * axes.y) / length);

@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -161,7 +160,7 @@ public:
   /// \throw Invalid_input unless p is in [0, 1]
   double radius_quantile(double p) const
   {
-    if (!(p >= 0 && p <= 1)) throw Invalid_input("radius_quantile() needs p in [0, 1]: got " + std::to_string(p));
+    if (!(p >= 0 && p <= 1)) throw Invalid_input("radius_quantile() needs p in [0, 1]: got " + number_text(p));
     std::vector<double> radii;
     for (const Fit_quality& quality : m_qualities)
       if (quality.scale.degree > 0) radii.push_back(quality.scale.radius);

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,6 +31,16 @@ class Invalid_input : public std::invalid_argument
 public:
   using std::invalid_argument::invalid_argument;
 };
+
+/// A number as messages have it. std::to_string() has six decimals, which make 0 of what is small.
+inline std::string number_text(double number)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::digits10);
+  text << number;
+  return text.str();
+}
 
 /// \ingroup PkgJetFitting3Results
 /// \throw Invalid_input, which says of what, if a degree is above highest_degree
@@ -80,7 +93,7 @@ inline double normalization_of_weights(const std::vector<double>& weights, std::
   for (std::size_t i = 0; i < n; ++i) {
     if (!(weights[i] >= 0) || std::isinf(weights[i]))
       throw Invalid_input("the weight of point " + std::to_string(i) + " of " + std::to_string(n) +
-                          " must be finite and not negative: got " + std::to_string(weights[i]));
+                          " must be finite and not negative: got " + number_text(weights[i]));
     largest = (std::max)(largest, weights[i]);
   }
   const double root = numeric::power_of_two_above(std::sqrt(largest));

@@ -20,7 +20,6 @@
 #include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -29,7 +29,7 @@ inline void check_noise(const Fit_options& options)
 {
   const auto check = [](const std::optional<double>& noise, const char* name) {
     if (noise && (!(*noise >= 0) || std::isinf(*noise)))
-      throw Invalid_input(std::string(name) + " must be finite and not negative: got " + std::to_string(*noise));
+      throw Invalid_input(std::string(name) + " must be finite and not negative: got " + number_text(*noise));
   };
   check(options.position_noise, "position_noise");
   check(options.normal_noise, "normal_noise");

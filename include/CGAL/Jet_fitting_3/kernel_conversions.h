@@ -120,7 +120,7 @@ Basis_3<FT> checked_basis(const Vector_3<FT>& x, const Vector_3<FT>& y, const Ve
   }
   if (!is_number || error > numeric::square_root(FT(numeric::epsilon<FT>())))
     throw Invalid_input("the basis given for the fit is not orthonormal and direct: its inner products are off by " +
-                        std::to_string(is_number ? double(error) : std::numeric_limits<double>::quiet_NaN()));
+                        number_text(is_number ? double(error) : std::numeric_limits<double>::quiet_NaN()));
   const Vector_3<FT> unit_z = FT(FT(1) / numeric::square_root(dot(z, z))) * z;
   const Vector_3<FT> tangent = x - dot(x, unit_z) * unit_z;
   const Vector_3<FT> unit_x = FT(FT(1) / numeric::square_root(dot(tangent, tangent))) * tangent;

@@ -11,7 +11,6 @@
 
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Sample_forms.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/gather_samples.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Mesh_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Sample_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>

@@ -11,8 +11,6 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 
-#include <string>
-
 namespace CGAL {
 namespace Jet_fitting {
 
@@ -24,7 +22,7 @@ public:
   /// As within_radius() makes it.
   explicit Within_radius(double radius) : m_radius(radius)
   {
-    if (!(radius > 0)) throw Invalid_input("within_radius(r) needs r > 0: got " + std::to_string(radius));
+    if (!(radius > 0)) throw Invalid_input("within_radius(r) needs r > 0: got " + number_text(radius));
   }
 
   /// Internal: calls the gatherer's function of this name.

@@ -12,7 +12,6 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include <limits>
-#include <string>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -31,7 +30,7 @@ namespace Jet_fitting {
 inline double confidence_factor(double level, double degrees_of_freedom)
 {
   if (!(level > 0 && level < 1))
-    throw Invalid_input("the level of a confidence interval must lie between 0 and 1: got " + std::to_string(level));
+    throw Invalid_input("the level of a confidence interval must lie between 0 and 1: got " + number_text(level));
   if (!(degrees_of_freedom > 0)) return std::numeric_limits<double>::infinity();
   // from the complement, which keeps its digits where the level is near 1
   return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees_of_freedom), (1 - level) / 2));

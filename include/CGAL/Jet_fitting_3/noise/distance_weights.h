@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -33,7 +32,7 @@ FT weight_at_distance(const FT& t, const Fit_options& options)
       const double weight = options.weight_of_distance(double(x));
       if (!(weight >= 0) || std::isinf(weight))
         throw Invalid_input("weight_of_distance must give finite weights that are not negative: at " +
-                            std::to_string(double(x)) + " it gives " + std::to_string(weight));
+                            number_text(double(x)) + " it gives " + number_text(weight));
       return Number(weight);
     });
   switch (options.weighting) {

@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/numeric/order_statistic.h>
 #include <CGAL/Jet_fitting_3/numeric/orthogonalization.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -82,7 +83,8 @@ public:
     }
     const FT freedom = m_count - FT(double(parameters));
     const auto has_freedom = freedom > FT(0);
-    const FT factor = FT(1.4826) * numeric::square_root(FT(m_count / numeric::select(has_freedom, freedom, FT(1))));
+    const FT factor =
+        FT(deviation_per_median) * numeric::square_root(FT(m_count / numeric::select(has_freedom, freedom, FT(1))));
     const FT median = numeric::order_statistic(sizes.data(), sizes.size(), m_rank, FT(guess / factor));
     return numeric::larger(m_least, numeric::select(has_freedom, FT(factor * median), m_least));
   }

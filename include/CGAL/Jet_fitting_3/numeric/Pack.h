@@ -11,7 +11,6 @@
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <type_traits>

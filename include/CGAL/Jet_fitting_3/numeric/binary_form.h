@@ -9,8 +9,9 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/numeric/number.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 /// \file
@@ -55,6 +56,31 @@ void differentiate(const FT& x, const FT& y, std::size_t k, FT* polynomial)
 {
   for (std::size_t i = 0; i < k; ++i)
     polynomial[i] = FT(double(k - i)) * x * polynomial[i] + FT(double(i + 1)) * y * polynomial[i + 1];
+}
+
+/// Takes second derivatives (xx, sqrt(2) xy, yy) to other axes. The sum of their squares stays if axes are turned.
+struct Second_derivatives_map
+{
+  std::array<std::array<double, 3>, 3> rows;
+
+  std::array<double, 3> operator()(const std::array<double, 3>& q) const
+  {
+    const auto in_row = [&](std::size_t i) { return rows[i][0] * q[0] + rows[i][1] * q[1] + rows[i][2] * q[2]; };
+    return {in_row(0), in_row(1), in_row(2)};
+  }
+};
+
+/// The old axes are x = (a, b), y = (c, d) in the new ones.
+inline Second_derivatives_map second_derivatives_map(double a, double b, double c, double d)
+{
+  const double ra = std::sqrt(2.) * a, rd = std::sqrt(2.) * d;
+  return {{{{a * a, ra * c, c * c}, {ra * b, a * d + b * c, rd * c}, {b * b, rd * b, d * d}}}};
+}
+
+/// To axes that are turned by an angle from x to y.
+inline Second_derivatives_map second_derivatives_map(double cosine, double sine)
+{
+  return second_derivatives_map(cosine, -sine, sine, cosine);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

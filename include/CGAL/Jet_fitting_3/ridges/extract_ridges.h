@@ -110,7 +110,7 @@ inline void check_ridge_options(const Ridge_options& options)
   for (const double number : numbers)
     if (!(number >= 0))
       throw Invalid_input("significance, rounding, thresholds and size in Ridge_options must not be negative: got " +
-                          std::to_string(number));
+                          number_text(number));
 }
 
 inline void check_ridge_field(const Ridge_field& field, const Ridge_options& options)

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -132,7 +131,7 @@ auto extract_umbilics(const Mesh& mesh, const Maps& maps, const NamedParameters&
   for (const double length : {options.merge_distance, options.coordinate_rounding})
     if (!(length >= 0))
       throw Invalid_input("distance for merging and rounding in Umbilic_options must not be negative: got " +
-                          std::to_string(length));
+                          number_text(length));
   const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                       get_const_property_map(vertex_point, mesh));
   const Ridge_field field = ridge_field(mesh, ridge_table(mesh, maps, point_map), point_map);

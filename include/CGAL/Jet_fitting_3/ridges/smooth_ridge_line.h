@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -84,7 +83,7 @@ template <class Kernel>
 Ridge_line<Kernel> smooth_ridge_line(const Ridge_line<Kernel>& line, double reach)
 {
   using namespace internal;
-  if (!(reach > 0)) throw Invalid_input("the reach of smoothing must be positive: got " + std::to_string(reach));
+  if (!(reach > 0)) throw Invalid_input("the reach of smoothing must be positive: got " + number_text(reach));
   Ridge_line<Kernel> smooth = line;
   if (line.points.size() < 4) return smooth;
   for (std::size_t i = 0; i < line.points.size(); ++i) {

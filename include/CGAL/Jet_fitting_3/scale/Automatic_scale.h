@@ -37,7 +37,6 @@ struct One_by_one
   }
 };
 
-/// \ingroup PkgJetFitting3Choice
 /// Chooses radius and degree at the points of a cloud: learns the noise of the whole, and the bias of all candidates on
 /// a subsample, every 25th point; then each point can be asked. What is chosen depends on nothing but the points, their
 /// order, and the order in which neighbors are given.
@@ -60,7 +59,7 @@ public:
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Automatic_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree)
+                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree)
     : m_cloud(cloud), m_within(within), m_highest_choice(highest_choice)
   {
     const Indices some = places_for_noise(cloud);
@@ -128,7 +127,7 @@ private:
     double factor = 2;              // of these risks, above which another choice is looked for
   };
 
-  static double risk(const Choice& c) { return c.squared_bias + c.variance; }
+  static double risk(const Chosen_fit& c) { return c.squared_bias + c.variance; }
 
   static Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local)
   {

@@ -315,7 +315,7 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const L
   const Patch_statistics statistics(patch, ladder, target);
   const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
   const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
-  for (std::size_t degree = 2; degree <= highest_degree; ++degree) {
+  for (std::size_t degree = 2; degree <= highest_nested_degree; ++degree) {
     if (!is_candidate(target, degree)) continue;
     std::vector<Bias_bounds> bounds(end);
     for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_CANDIDATE_H
 #define CGAL_JET_FITTING_3_SCALE_CANDIDATE_H
 
+#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/scale/Moments.h>
 #include <CGAL/Jet_fitting_3/steps/gauss_map_series.h>
 
@@ -442,12 +443,12 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
 inline void turn(Candidate& c, double cosine, double sine)
 {
   if (!c) return;
-  const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
+  const numeric::Second_derivatives_map map = numeric::second_derivatives_map(cosine, sine);
   const auto in_new_axes = [&](double& xx, double& xy, double& yy) {
-    const std::array<double, 3> q{xx, xy, yy};
-    xx = c2 * q[0] + r * q[1] + s2 * q[2];
-    xy = -r * q[0] + (c2 - s2) * q[1] + r * q[2];
-    yy = s2 * q[0] - r * q[1] + c2 * q[2];
+    const std::array<double, 3> q = map({xx, xy, yy});
+    xx = q[0];
+    xy = q[1];
+    yy = q[2];
   };
   in_new_axes(c.values[0], c.values[1], c.values[2]);
   if (c.rows.empty()) return;

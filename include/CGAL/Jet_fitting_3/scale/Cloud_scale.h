@@ -42,7 +42,6 @@ struct Estimate_at_scale
   bool is_determined = true;                  ///< by the samples, if there are enough; else there is no form
 };
 
-/// \ingroup PkgJetFitting3Choice
 /// Monge forms at the points of a cloud, radius and degree being chosen. The arrays are not owned.
 template <class Within>
 class Cloud_scale
@@ -56,7 +55,7 @@ public:
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_degree,
+              const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree,
               std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
     : m_automatic(cloud, within, for_each, noise, highest_choice),
       m_high(m_automatic.cloud(), within, noise ? 0 : highest_of_orders)
@@ -108,7 +107,7 @@ private:
   static void forget_bias(Estimate_at_scale& e)
   {
     e.choice.is_chosen = false;
-    for (Choice& choice : e.choice.curvatures) choice.squared_bias = unknown;
+    for (Chosen_fit& choice : e.choice.curvatures) choice.squared_bias = unknown;
     for (double& error : e.third_order_errors)
       if (error > 0) error = unknown;
   }
@@ -121,7 +120,7 @@ private:
   {
     if (cloud().has_data(i)) return false;
     double radius = choice.normal.radius;
-    for (const Choice& c : choice.curvatures) radius = std::min(radius, c.radius);
+    for (const Chosen_fit& c : choice.curvatures) radius = std::min(radius, c.radius);
     const Vector_3<double>& point = cloud().points[i];
     const Indices samples = inside(cloud(), near, {point, {}}, radius);
     if (samples.empty()) return true;

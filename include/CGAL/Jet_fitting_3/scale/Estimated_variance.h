@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_ESTIMATED_VARIANCE_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ inline Estimated_variance median_variance(const std::vector<double>& variances, 
   std::vector<double> deviations;
   for (const double v : variances) deviations.push_back(std::abs(v - middle));
   const double independent = double(variances.size()) / (1 + shared);
-  return {middle, 1.2533 * 1.4826 * median(deviations) / std::sqrt(independent)};
+  return {middle, 1.2533 * deviation_per_median * median(deviations) / std::sqrt(independent)};
 }
 
 /// How much of a variance may be the surface's own, which one from a neighborhood that is larger by a factor tells: its

@@ -103,7 +103,7 @@ private:
   Samples samples_with_normals(const Indices& near, const Local_frame& frame, const Ladder& ladder,
                                std::size_t rungs) const
   {
-    const double factor = normal_factor(ladder.noise);
+    const double factor = normal_factor(ladder.noise.normal);
     const Balls balls(ladder, look_at_all(rungs));
     std::vector<std::vector<Local_sample>> shells(rungs);
     for (const std::size_t i : near) {

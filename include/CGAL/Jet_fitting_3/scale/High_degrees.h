@@ -123,7 +123,7 @@ public:
   template <class Choice_at, class Ladder_of, class For_each>
   void learn(const Indices& places, const Choice_at& choice_at, const Ladder_of& ladder_of, const For_each& for_each)
   {
-    if (m_top <= highest_degree) return;
+    if (m_top <= highest_nested_degree) return;
     std::vector<Fits> fits(places.size());
     std::vector<Point_scale> choices(places.size());
     const auto fit = [&](std::size_t k) {
@@ -180,10 +180,10 @@ public:
     const Fitted_derivatives d = Derivatives_of_degrees(fit, rows(neighbors))(chosen.degree);
     const double worse =
         std::max(std::pow(radius / ladder.radii[chosen.rung], 2 * chosen.degree), d.residual / chosen.residual);
-    Choice* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+    Chosen_fit* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
     for (std::size_t t = 0; t < number_of_targets; ++t) {
       const double bias = worse * chosen.squared_biases[t];
-      *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown, 1, neighbors.size()};
+      *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};
     }
     scale.in_ball = scale.curvatures[0];
     scale.over_surface.resize(rung + 1);
@@ -195,7 +195,7 @@ public:
   static double risk(const Point_scale& scale)
   {
     double sum = 0;
-    for (const Choice& c : scale.curvatures) sum += c.squared_bias + c.variance;
+    for (const Chosen_fit& c : scale.curvatures) sum += c.squared_bias + c.variance;
     return sum;
   }
 
@@ -245,7 +245,8 @@ private:
   static bool leaves_less(const Fits& fits)
   {
     for (const auto& of_degrees : fits)
-      if (!of_degrees.empty()) return of_degrees.back().residual < 0.1 * of_degrees[highest_degree / 2 - 1].residual;
+      if (!of_degrees.empty())
+        return of_degrees.back().residual < 0.1 * of_degrees[highest_nested_degree / 2 - 1].residual;
     return false;
   }
 
@@ -292,7 +293,7 @@ private:
     best.axis = choice.frame.axes.x;
     for (std::size_t j = 0; j < number_of_rungs; ++j) {
       const std::vector<Means> of_degrees = means(fits, near, j);
-      for (std::size_t d = highest_degree / 2; d < of_degrees.size(); ++d) {
+      for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
         const Means& m = of_degrees[d];
         if (m.risk() < best.risk) best = {2 * d + 2, first + j, m.squares, m.residual, m.risk(), best.axis};
       }

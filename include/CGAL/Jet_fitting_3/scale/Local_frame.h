@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,13 +38,6 @@ inline Vector_3<double> unit_vector(const Vector_3<double>& v)
 {
   const double square = dot(v, v);
   return square > 0 ? (1 / std::sqrt(square)) * v : Vector_3<double>{0, 0, 1};
-}
-
-/// Any axes with this z (Duff et al. 2017).
-inline Basis_3<double> axes_around(const Vector_3<double>& z)
-{
-  const double sign = z.z < 0 ? -1 : 1, a = -1 / (sign + z.z), b = z.x * z.y * a;
-  return {{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
 /// Where the neighbors of a fit are: in a ball, or in an ellipse that has its radius along one axis of the frame.
@@ -103,7 +97,7 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   Local_sample s{r.x, r.y, r.z, 0, 0, 0, dot(d, d), true};
   if (!cloud.has_normals()) return s;
   const Vector_3<double> n = frame.axes.in(cloud.normals[i]);
-  s.is_there = n.z >= -0.2 && cloud.is_sample(i);
+  s.is_there = n.z >= least_cosine_on_sheet && cloud.is_sample(i);
   s.lever = 0.25 * r.z * r.z * (n.x * n.x + n.y * n.y);
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
@@ -121,9 +115,6 @@ inline Local_sample turned(Local_sample s, double cosine, double sine)
   s.slope_v = cosine * s.slope_v - sine * slope_u;
   return s;
 }
-
-/// What makes noisy normals of length 1 as long in the mean as those without noise.
-inline double normal_factor(const Noise& noise) { return 1 / (1 - std::min(0.25, noise.normal * noise.normal)); }
 
 /// 1 / s^2 for lengths in the given unit, 1 / s_n^2. Without noise what counts is the ratio: ten times s for a normal,
 /// and digits that the choice can trust.
@@ -144,7 +135,7 @@ inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_
                            const Noise& noise)
 {
   Shell_sums sums;
-  const double factor = normal_factor(noise);
+  const double factor = normal_factor(noise.normal);
   std::vector<Vector_3<double>> heights;
   heights.reserve(near.size());
   for (const std::size_t i : near) {
@@ -165,13 +156,14 @@ inline Local_frame frame_by_normals(const Cloud& cloud, const Indices& near, std
   Vector_3<double> sum{0, 0, 0};
   for (const std::size_t k : near) {
     const Vector_3<double> d = cloud.points[k] - cloud.points[i];
-    if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > -0.2) sum = sum + cloud.normals[k];
+    if (dot(d, d) <= smaller * smaller && dot(cloud.normals[k], cloud.normals[i]) > least_cosine_on_sheet)
+      sum = sum + cloud.normals[k];
   }
-  Local_frame frame{cloud.points[i], axes_around(unit_vector(sum))};
+  Local_frame frame{cloud.points[i], basis_around(unit_vector(sum))};
   const Nested_fit fit = fit_ball(cloud, near, frame, larger, noise);
   if (!fit.determines(2)) return frame;
   const double x = fit.coefficient(1, 2), y = fit.coefficient(2, 2), square = x * x + y * y;
-  if (square < 1) frame.axes = axes_around(unit_vector(frame.axes.out({-x, -y, std::sqrt(1 - square)})));
+  if (square < 1) frame.axes = basis_around(unit_vector(frame.axes.out({-x, -y, std::sqrt(1 - square)})));
   return frame;
 }
 
@@ -219,7 +211,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
   const Vector_3<double> p = cloud.points[i];
   Local_frame frame{p, {}};
   const Indices nearest = inside(cloud, near, frame, radius + 5 * noise.position);
-  frame.axes = axes_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
+  frame.axes = basis_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
   for (int round = 0; round < 2; ++round) {
     const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
     if (!fit.determines(2)) return frame;
@@ -227,7 +219,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
     const Vector_3<double> normal = frame.axes.out(n);
     const Vector_3<double> foot = frame.origin + (fit.coefficient(0, 2) * radius * n.z) * normal;
     if (dot(foot - p, foot - p) <= 25 * noise.position * noise.position) frame.origin = foot;
-    frame.axes = axes_around(unit_vector(normal));
+    frame.axes = basis_around(unit_vector(normal));
   }
   return frame;
 }

@@ -207,7 +207,7 @@ inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const
 {
   constexpr double most = 0.25; // part of the neighbors
   const std::size_t count = shells.ends[j];
-  Cut_fit all{std::vector<std::size_t>(count), Round_fit(of_all, weight, highest_degree)};
+  Cut_fit all{std::vector<std::size_t>(count), Round_fit(of_all, weight, highest_nested_degree)};
   std::iota(all.neighbors.begin(), all.neighbors.end(), std::size_t(0));
   Cut_fit result = all;
   for (int time = 0; time < 2; ++time) {
@@ -223,9 +223,9 @@ inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const
     if (neighbors == result.neighbors) return result;
     if (double(left_out.size()) > most * double(count)) return all;
     Round_sums of_left_out, sums = of_all;
-    of_left_out.add<highest_degree>(left_out.data(), left_out.size());
+    of_left_out.add<highest_nested_degree>(left_out.data(), left_out.size());
     sums -= of_left_out;
-    result = {std::move(neighbors), Round_fit(sums, weight, highest_degree)};
+    result = {std::move(neighbors), Round_fit(sums, weight, highest_nested_degree)};
   }
   return result;
 }
@@ -250,7 +250,7 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
   find_surfaces(looks, low, ladder);
   const Surface_cut cut(balls, looks, low, ladder);
   const auto shells = neighbors.over_surface(cut);
-  const std::vector<Round_sums> sums = sums_of_balls<highest_degree>(shells);
+  const std::vector<Round_sums> sums = sums_of_balls<highest_nested_degree>(shells);
   over_surface.resize(looks.size());
   Fits_to_positions result;
   for (std::size_t j = 0; j < looks.size(); ++j) {
@@ -264,7 +264,7 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
     if (looks[j].is_cut) {
       Cut_fit fitted = fit_on_both_sides(shells, cut, j, sums[j], weights.height);
       flat.sizes[1] = flat.sizes[2] = double(fitted.neighbors.size());
-      for (std::size_t d = 3; d <= highest_degree; ++d) add(fitted.fit.of_degree(d, balls.unit()), d);
+      for (std::size_t d = 3; d <= highest_nested_degree; ++d) add(fitted.fit.of_degree(d, balls.unit()), d);
       for (const std::size_t k : fitted.neighbors) over_surface[j].push_back(shells.indices[k]);
     }
     round.sizes = flat.sizes;
@@ -288,7 +288,7 @@ public:
                      std::size_t rungs)
     : m_balls(ladder, look_at_all(rungs)), m_weights(cloud, ladder.noise, m_balls.unit())
   {
-    const double factor = normal_factor(ladder.noise);
+    const double factor = normal_factor(ladder.noise.normal);
     m_samples.reserve(near.size());
     for (const std::size_t i : near) {
       Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), factor);
@@ -313,7 +313,8 @@ public:
     for (std::size_t j = rungs.first; j < rungs.end; ++j) {
       const Nested_fit fit(sums[j], m_weights.height, m_weights.slope);
       result[j].sizes.fill(sums[j].size());
-      for (std::size_t d = 2; d <= highest_degree; ++d) result[j].fits[d - 2] = second_order(fit, d, m_balls.unit());
+      for (std::size_t d = 2; d <= highest_nested_degree; ++d)
+        result[j].fits[d - 2] = second_order(fit, d, m_balls.unit());
     }
     return result;
   }
@@ -358,9 +359,7 @@ inline Turn turn_towards(const Vector_3<double>& direction, const Local_frame& f
 
 inline Local_frame turned(const Local_frame& frame, const Turn& turn)
 {
-  const Basis_3<double>& axes = frame.axes;
-  const double c = turn.cosine, s = turn.sine;
-  return {frame.origin, {c * axes.x + s * axes.y, c * axes.y - s * axes.x, axes.z}};
+  return {frame.origin, turned_axes(frame.axes, turn.cosine, turn.sine)};
 }
 
 /// Fits around a point from positions alone, and no ellipses.

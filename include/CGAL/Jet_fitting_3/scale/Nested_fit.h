@@ -39,7 +39,8 @@ public:
   /// \param height_weight 1 / s^2, in the unit of the sums; 0 leaves out the rows of heights, with them the constant
   /// \param slope_weight 1 / s_n^2, or 0
   /// \param degree the highest that is asked for
-  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree = highest_degree)
+  Nested_fit(const Shell_sums& sums, double height_weight, double slope_weight,
+             std::size_t degree = highest_nested_degree)
     : m_first(height_weight > 0 ? 0 : 1),
       m_rows(sums.size() * ((height_weight > 0 ? 1 : 0) + (slope_weight > 0 ? 2 : 0))),
       m_squares(height_weight * sums.squared_heights + slope_weight * sums.squared_slopes),
@@ -129,7 +130,7 @@ private:
     const double uu = sums.moments[3] / size - u * u, uv = sums.moments[4] / size - u * v,
                  vv = sums.moments[5] / size - v * v;
     const double along = std::sqrt(uu), beside = uv / along, across = std::sqrt(vv - beside * beside);
-    for (std::size_t degree = 2; degree <= highest_degree && determines(degree); ++degree) {
+    for (std::size_t degree = 2; degree <= highest_nested_degree && determines(degree); ++degree) {
       double gain = 0;
       for (const auto& [cosine, sine] : directions)
         gain += variance_of_terms(degree, along * cosine, beside * cosine + across * sine);
@@ -142,7 +143,7 @@ private:
   double variance_of_terms(std::size_t degree, double u, double v) const
   {
     const std::size_t first = number_of_jet_coefficients(degree - 1), end = number_of_jet_coefficients(degree);
-    std::array<double, highest_degree + 1> terms;
+    std::array<double, highest_nested_degree + 1> terms;
     for (std::size_t j = 0; j <= degree; ++j) terms[j] = m_scale[first + j];
     double power_of_v = 1, power_of_u = 1;
     for (std::size_t j = 0; j <= degree; ++j, power_of_u *= u, power_of_v *= v) {
@@ -166,7 +167,7 @@ private:
   static constexpr std::array<Exponents, n> exponents()
   {
     std::array<Exponents, n> result{};
-    for (std::size_t order = 0, a = 0; order <= highest_degree; ++order)
+    for (std::size_t order = 0, a = 0; order <= highest_nested_degree; ++order)
       for (std::size_t j = 0; j <= order; ++j, ++a) result[a] = {order - j, j};
     return result;
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -74,8 +75,6 @@ public:
     m_targets.push_back({0, m_order + 1});
     learn(vertices, frame_at, for_each);
   }
-
-  const Ladder& ladder() const { return m_ladder; }
 
   /// At any vertex.
   Order_estimate estimate(Worker& worker, Vertex i, const Local_frame& frame) const

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -23,7 +24,7 @@ namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// What was chosen for a target.
-struct Choice
+struct Chosen_fit
 {
   double radius = 0; ///< of an ellipse along its longer axis
   Shape shape = Shape::ball;
@@ -32,19 +33,18 @@ struct Choice
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double excess = 1;                     ///< of the noise, see Nested_fit
-  std::size_t neighbors = 0;             ///< of the fit
   Roundness round{};                     ///< of the heights that are fitted
 };
 
 /// Of the disk that has the area of the neighborhood.
-inline double radius_of_area(const Choice& choice)
+inline double radius_of_area(const Chosen_fit& choice)
 {
   return is_ellipse(choice.shape) ? choice.radius / std::sqrt(elongation) : choice.radius;
 }
 
 /// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all
 /// there is they are as large as the noise: without evidence they count for little.
-inline double squared_error(const Choice& choice)
+inline double squared_error(const Chosen_fit& choice)
 {
   const double evidence = constant::per_shown * std::max(0., choice.evidence - constant::shown);
   return choice.excess * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
@@ -56,14 +56,14 @@ inline double squared_error(const Choice& choice)
 struct Point_scale
 {
   Local_frame frame;
-  Choice normal;                     ///< for the slopes of the surface in the frame
-  std::array<Choice, 3> curvatures;  ///< for J_xx, J_xy, J_yy in the frame
-  Choice in_ball;                    ///< for J_xx if it is to be a ball, of which there are higher orders, too
-  Jet<double> jet{2};                ///< of the surface in the frame, with the digits of normal equations
-  std::vector<Indices> over_surface; ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
-  std::size_t level = 0;             ///< of the density of points, which has a ladder of its own
-  bool is_chosen = true;             ///< false where no bias is known: no point of the subsample nearby, too few points
-  bool has_neighbors = true;         ///< enough for any fit
+  Chosen_fit normal;                    ///< for the slopes of the surface in the frame
+  std::array<Chosen_fit, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
+  Chosen_fit in_ball;                   ///< for J_xx if it is to be a ball, of which there are higher orders, too
+  Jet<double> jet{2};                   ///< of the surface in the frame, with the digits of normal equations
+  std::vector<Indices> over_surface;    ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
+  std::size_t level = 0;                ///< of the density of points, which has a ladder of its own
+  bool is_chosen = true;     ///< false where no bias is known: no point of the subsample nearby, too few points
+  bool has_neighbors = true; ///< enough for any fit
 };
 
 /// The least neighbors of a candidate: twice its unknowns.
@@ -73,7 +73,7 @@ constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(num
 /// radius, the lowest degree if several.
 /// \return what is the least now
 inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shape shape, std::size_t target,
-                     const Ladder& ladder, double least, Choice& choice)
+                     const Ladder& ladder, double least, Chosen_fit& choice)
 {
   const std::vector<Rung>& rungs = local.of_shape(shape);
   const std::size_t end = std::min(rungs.size(), bias.in(shape).front().size());
@@ -86,17 +86,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
       if (!(risk < least)) continue;
       least = risk;
-      choice = {ladder.radii[j],
-                shape,
-                j,
-                degree,
-                b.value,
-                v,
-                b.most,
-                b.evidence,
-                fit.excess,
-                std::size_t(rungs[j].size(degree)),
-                fit.round};
+      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.excess, fit.round};
     }
   return least;
 }
@@ -105,7 +95,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
 /// normals, where fits are of the potential of the Gauss map.
 inline Jet<double> jet_of_choice(const Local_ladder& local, const Point_scale& scale)
 {
-  const auto fit = [&local](const Choice& c) -> const Turned_second_order& {
+  const auto fit = [&local](const Chosen_fit& c) -> const Turned_second_order& {
     return local.of_shape(c.shape)[c.rung].of_degree(c.degree);
   };
   const Turned_second_order& of_normal = fit(scale.normal);
@@ -126,7 +116,7 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   scale.frame = local.frame;
   scale.over_surface = local.over_surface;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    Choice& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
+    Chosen_fit& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
     const double least = choose(local, table[target], Shape::ball, target, ladder, unknown, choice);
     scale.is_chosen = scale.is_chosen && least < unknown;
     if (target == 1) scale.in_ball = choice;
@@ -155,7 +145,7 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
 inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local)
 {
   std::vector<bool> is_looked_at(local.looks.size()), is_cut(local.looks.size());
-  for (const Choice* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]}) {
+  for (const Chosen_fit* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]}) {
     is_looked_at[c->rung] = true;
     if (c->degree == 2) continue;
     is_cut[c->rung] = true;
@@ -172,7 +162,7 @@ inline Wanted_rungs rungs_around(const Point_scale& scale, const Ladder& ladder,
 {
   Wanted_rungs wanted;
   wanted.balls = {ladder.first, std::min(end, std::max(scale.normal.rung, scale.in_ball.rung) + 2)};
-  for (const Choice& c : scale.curvatures) {
+  for (const Chosen_fit& c : scale.curvatures) {
     const std::size_t above = std::min(end, c.rung + 2);
     if (!is_ellipse(c.shape)) wanted.balls.end = std::max(wanted.balls.end, above);
     else wanted.elongated[number_of_ellipse(c.shape)] = {std::max(ladder.first + 2, c.rung) - 2, above};

@@ -21,7 +21,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// The surface whose round heights are a polynomial of degree 4.
 struct Round_surface
 {
-  static_assert(highest_degree == 4, "the polynomial is written out");
+  static_assert(highest_nested_degree == 4, "the polynomial is written out");
 
   std::array<double, number_of_unknowns> c{}; ///< its coefficients, of 1, u, v, u^2, uv, v^2, ...
   Roundness round;

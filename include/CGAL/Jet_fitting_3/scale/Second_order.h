@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H
 #define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_H
 
+#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
@@ -121,8 +122,7 @@ struct Turned_second_order
 /// In turned axes.
 inline Turned_second_order turned(const Second_order& s, double cosine, double sine)
 {
-  const double c2 = cosine * cosine, s2 = sine * sine, cs = std::sqrt(2.) * cosine * sine;
-  const double turn[3][3] = {{c2, cs, s2}, {-cs, c2 - s2, cs}, {s2, -cs, c2}};
+  const auto turn = numeric::second_derivatives_map(cosine, sine).rows;
   Turned_second_order t;
   t.height = s.height;
   t.excess = s.excess;

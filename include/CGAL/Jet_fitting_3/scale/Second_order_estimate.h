@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_SECOND_ORDER_ESTIMATE_H
 
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
+#include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
 #include <CGAL/Jet_fitting_3/scale/Candidate.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
@@ -77,8 +78,7 @@ inline std::pair<double, double> principal_axis(const std::array<double, 3>& q)
 /// Second derivatives in axes that are turned so.
 inline std::array<double, 3> turn(const std::array<double, 3>& q, double cosine, double sine)
 {
-  const double r = std::sqrt(2.) * cosine * sine, c2 = cosine * cosine, s2 = sine * sine;
-  return {c2 * q[0] + r * q[1] + s2 * q[2], -r * q[0] + (c2 - s2) * q[1] + r * q[2], s2 * q[0] - r * q[1] + c2 * q[2]};
+  return numeric::second_derivatives_map(cosine, sine)(q);
 }
 
 /// Whether two curvatures in principal axes, the larger one in size first, are in the order opposite to that of others.
@@ -96,12 +96,6 @@ inline std::pair<double, double> principal_axis_as(const std::array<double, 3>& 
   const auto [cosine, sine] = principal_axis(q);
   if (!are_reversed(turn(q, cosine, sine), others)) return {cosine, sine};
   return {-sine, cosine};
-}
-
-/// Axes that are turned around z.
-inline Basis_3<double> turned_axes(const Basis_3<double>& b, double cosine, double sine)
-{
-  return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
 }
 
 /// Squared errors of the images under a linear map, if errors are independent.
@@ -128,12 +122,7 @@ inline void straighten(Second_order_estimate& e, std::array<double, 3>& q)
   };
   const auto [a, b] = in_plane(old.x);
   const auto [c, d] = in_plane(old.y);
-  const auto straight = [a = a, b = b, c = c, d = d](const std::array<double, 3>& s) {
-    const double r = std::sqrt(2.);
-    return std::array<double, 3>{a * a * s[0] + r * a * c * s[1] + c * c * s[2],
-                                 r * a * b * s[0] + (a * d + b * c) * s[1] + r * c * d * s[2],
-                                 b * b * s[0] + r * b * d * s[1] + d * d * s[2]};
-  };
+  const numeric::Second_derivatives_map straight = numeric::second_derivatives_map(a, b, c, d);
   q = straight(q);
   const auto [cosine, sine] = principal_axis(q);
   const auto map = [&, cosine = cosine, sine = sine](const std::array<double, 3>& s) {

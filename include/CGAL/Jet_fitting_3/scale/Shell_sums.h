@@ -24,11 +24,11 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// over degrees. A matrix of normal equations has only moments for entries, 45 of them.
 struct Shell_sums
 {
-  std::array<double, number_of_jet_coefficients(2 * highest_degree)> moments{}; ///< of u^i v^j
-  std::array<double, number_of_unknowns> heights{};                             ///< of u^i v^j times the height
+  std::array<double, number_of_jet_coefficients(2 * highest_nested_degree)> moments{}; ///< of u^i v^j
+  std::array<double, number_of_unknowns> heights{};                                    ///< of u^i v^j times the height
   /// @{
   /// Of u^i v^j times the slopes.
-  std::array<double, number_of_jet_coefficients(highest_degree - 1)> slopes_u{}, slopes_v{};
+  std::array<double, number_of_jet_coefficients(highest_nested_degree - 1)> slopes_u{}, slopes_v{};
   /// @}
   double squared_heights = 0, squared_slopes = 0;
   double levers = 0; ///< of Local_sample
@@ -48,8 +48,8 @@ struct Shell_sums
   /// A neighbor whose normal gives the slopes.
   void add(double u, double v, double height, double slope_u, double slope_v, double lever)
   {
-    double m[number_of_jet_coefficients(2 * highest_degree)];
-    monomials<2 * highest_degree>(u, v, m);
+    double m[number_of_jet_coefficients(2 * highest_nested_degree)];
+    monomials<2 * highest_nested_degree>(u, v, m);
     for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
     for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
     squared_heights += height * height;

@@ -54,7 +54,7 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   within(i, radius, near);
   if (near.size() < number_of_unknowns + 10) return {};
   const Cloud positions{cloud.points, nullptr, cloud.size};
-  const Local_frame frame{cloud.points[i], axes_around(thin_direction(cloud, near, i, radius))};
+  const Local_frame frame{cloud.points[i], basis_around(thin_direction(cloud, near, i, radius))};
   Residual_variances result;
   result.neighbors = double(near.size());
   result.heights = residual_variance(positions, near, frame, radius, false);

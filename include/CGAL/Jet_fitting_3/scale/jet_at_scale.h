@@ -69,16 +69,9 @@ Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Loc
   return result;
 }
 
-/// To a ball. \param near holds the neighbors within the radius, and perhaps others
-template <class Solver>
-Fit_at_scale fit_at_scale(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
-                          std::size_t degree, const Noise& noise, Solver& solver)
-{
-  return fit_to_samples(cloud, inside(cloud, near, frame, radius), frame, radius, degree, noise, solver);
-}
-
 /// The neighbors of a choice. \param near holds the neighbors within reach() of it, and perhaps others
-inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& c)
+inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale,
+                                   const Chosen_fit& c)
 {
   if (cloud.has_normals() || c.degree == 2) return inside(cloud, near, scale.frame, c.radius, c.shape);
   return scale.over_surface[c.rung];
@@ -86,7 +79,7 @@ inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, cons
 
 /// To them.
 template <class Solver>
-Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Choice& choice,
+Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Chosen_fit& choice,
                            const Noise& noise, Solver& solver)
 {
   return fit_to_samples(cloud, neighbors_of_choice(cloud, near, scale, choice), scale.frame, choice.radius,
@@ -98,7 +91,7 @@ template <class Solver>
 Jet_fit<double> fit_of_higher_degree(const Cloud& cloud, const Indices& near, const Point_scale& scale,
                                      std::size_t degree, const Ladder& ladder, Solver& solver)
 {
-  const Choice& c = scale.in_ball;
+  const Chosen_fit& c = scale.in_ball;
   const Indices neighbors = cloud.has_normals() ? inside(cloud, near, scale.frame, c.radius)
                                                 : neighbors_over_surface(cloud, near, scale.frame, ladder, c.rung);
   return fit_to_samples(cloud, neighbors, scale.frame, c.radius, degree, ladder.noise, solver).fit;
@@ -126,9 +119,9 @@ template <class Solver>
 std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near, const Point_scale& scale,
                                         std::size_t order, const Ladder& ladder, Solver& solver, std::size_t known = 2)
 {
-  std::vector<std::pair<Choice, Jet<double>>> fits;
+  std::vector<std::pair<Chosen_fit, Jet<double>>> fits;
   bool is_determined = true;
-  const auto fitted = [&](const Choice& c) -> const Jet<double>& {
+  const auto fitted = [&](const Chosen_fit& c) -> const Jet<double>& {
     for (const auto& made : fits)
       if (made.first.shape == c.shape && made.first.rung == c.rung && made.first.degree == c.degree) return made.second;
     const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, c, ladder.noise, solver).fit;
@@ -144,8 +137,8 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
     is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
     for (std::size_t k = known + 1; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
   }
-  if (scale.is_chosen &&
-      (scale.normal.degree > highest_degree || noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius))) {
+  if (scale.is_chosen && (scale.normal.degree > highest_nested_degree ||
+                          noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius))) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
   } else {
     const Jet<double> of_normal = fitted(scale.normal);

@@ -117,7 +117,6 @@ template <class Neighbors>
 double noise_beside_normals_of_edges(const Surface_points<Neighbors>& surface,
                                      const std::vector<Vector_3<double>>& normals)
 {
-  constexpr double median_of_square = 0.4549; // of a normal variable
   std::vector<double> squares;
   for (std::size_t i = 0; i < surface.points.size(); ++i)
     for (const std::size_t v : surface.neighbors(i)) {
@@ -126,7 +125,7 @@ double noise_beside_normals_of_edges(const Surface_points<Neighbors>& surface,
       squares.push_back(height * height / (2 * surface.units[i] * surface.units[i]));
     }
   return squares.empty() ? std::numeric_limits<double>::infinity()
-                         : std::sqrt(scale::median(std::move(squares)) / median_of_square);
+                         : deviation_per_median * std::sqrt(scale::median(std::move(squares)));
 }
 
 /// Likewise, with what fits to the slopes say.

@@ -57,11 +57,11 @@ std::array<double, number_of_jet_coefficients(degree)> coefficients(const Nested
 /// which have little noise themselves.
 inline double sum_of_squares(const std::vector<Local_sample>& samples, const Nested_fit& fit, bool of_slopes)
 {
-  const auto a = coefficients<highest_degree>(fit, of_slopes);
+  const auto a = coefficients<highest_nested_degree>(fit, of_slopes);
   const auto flat = coefficients<2>(fit, of_slopes);
   double sum = 0;
   for (const Local_sample& s : samples) {
-    const Polynomial_value value = value_at<highest_degree>(a.data(), s.u, s.v),
+    const Polynomial_value value = value_at<highest_nested_degree>(a.data(), s.u, s.v),
                            slope = value_at<2>(flat.data(), s.u, s.v);
     const double lean = slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v;
     const double z = s.height - value.height, u = s.slope_u - value.slope_u, v = s.slope_v - value.slope_v;
@@ -84,7 +84,7 @@ inline double residual_variance(const Cloud& cloud, const Indices& near, const L
   const Nested_fit fit(sums, of_slopes ? 0 : 1, of_slopes ? 1 : 0);
   const double unknowns = number_of_unknowns,
                freedom = of_slopes ? 2 * sums.size() - unknowns + 1 : sums.size() - unknowns;
-  if (!fit.determines(highest_degree) || freedom < 10) return -1;
+  if (!fit.determines(highest_nested_degree) || freedom < 10) return -1;
   const double squares = sum_of_squares(samples, fit, of_slopes) * (of_slopes ? 1 : radius * radius);
   return median_correction(freedom) * squares / freedom;
 }

@@ -19,8 +19,8 @@ namespace Jet_fitting {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Steps
-/// The weighted sum of the normals that do not oppose the one at p (more than about 100 degrees, see gauss_map_rows()),
-/// of length 1. The normal at p where the sum vanishes.
+/// The weighted sum of the normals that do not oppose the one at p (see least_cosine_on_sheet), of length 1. The normal
+/// at p where the sum vanishes.
 template <class FT>
 Vector_3<FT> mean_normal(const Oriented_samples<FT>& samples)
 {
@@ -29,7 +29,7 @@ Vector_3<FT> mean_normal(const Oriented_samples<FT>& samples)
   FT total(0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vector_3<FT> n = samples.normal(i);
-    const FT weight = numeric::select(dot(n, at_p) < FT(-0.2), FT(0), samples.weight(i));
+    const FT weight = numeric::select(dot(n, at_p) < FT(least_cosine_on_sheet), FT(0), samples.weight(i));
     sum = sum + weight * n;
     total = total + weight;
   }
@@ -38,15 +38,6 @@ Vector_3<FT> mean_normal(const Oriented_samples<FT>& samples)
   const FT inverse = FT(1) / numeric::square_root(numeric::select(vanishes, FT(1), square));
   const auto chosen = [&](const FT& p, const FT& s) { return FT(numeric::select(vanishes, p, FT(inverse * s))); };
   return {chosen(at_p.x, sum.x), chosen(at_p.y, sum.y), chosen(at_p.z, sum.z)};
-}
-
-/// \ingroup PkgJetFitting3Steps
-/// An orthonormal basis with the given z axis, a unit vector, as Duff et al. (2017) have it: no case is singular.
-template <class FT>
-Basis_3<FT> basis_around(const Vector_3<FT>& z)
-{
-  const FT sign = numeric::select(z.z < FT(0), FT(-1), FT(1)), a = FT(-1) / (sign + z.z), b = z.x * z.y * a;
-  return {{FT(1) + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
 }
 
 /// \ingroup PkgJetFitting3Steps

@@ -35,7 +35,7 @@ struct Gauss_map_rows
 
   Data_noise<FT> noise; ///< as it was given
   /// @{
-  /// Factors of the rows: of a height; of a slope, which makes a length of it; of a normal, 1 / (1 - s_n^2).
+  /// Factors of the rows: of a height; of a slope, which makes a length of it; of a normal, see normal_factor().
   FT height_factor, slope_factor, normal_factor;
   /// @}
   FT foot_nz = FT(1);                         ///< n_z(0), as far as the first pass knows it
@@ -78,8 +78,7 @@ struct Gauss_map_rows
 /// Weighs heights against slopes: their rows are divided by s and by s_n, up to a common factor that keeps both at most
 /// one. Only the length s / s_n matters for that. It is kept within 2^-20 and 2^20 extents, which makes 0 for either a
 /// good choice: normals exact, or positions. With 0 for both it is a quarter of the extent h: what is left is the
-/// remainder of the series, for heights h / (d + 1) times as large as for slopes. Unit normals of noisy vectors are
-/// shorter by 1 - s_n^2 in the mean, which the normal's factor makes good; s_n counts as 1/2 at most.
+/// remainder of the series, for heights h / (d + 1) times as large as for slopes.
 template <class FT>
 void set_noise(Gauss_map_rows<FT>& rows, const Data_noise<FT>& noise)
 {
@@ -91,13 +90,11 @@ void set_noise(Gauss_map_rows<FT>& rows, const Data_noise<FT>& noise)
   rows.noise = noise;
   rows.height_factor = FT(1) / numeric::square_root(FT(FT(1) + ratio * ratio));
   rows.slope_factor = ratio * rows.height_factor * extent;
-  const FT variance = noise.normal * noise.normal, largest(0.25);
-  rows.normal_factor = FT(1) / (FT(1) - numeric::select(variance < largest, variance, largest));
+  rows.normal_factor = normal_factor(noise.normal);
 }
 
 /// \ingroup PkgJetFitting3Steps
-/// Change of coordinates, as heights() has it. Where the normal is more than about 100 degrees away from the z axis,
-/// n_z < -1/5, the neighbor is taken for one of another sheet, and left out.
+/// Change of coordinates, as heights() has it. Where n_z < least_cosine_on_sheet the neighbor is left out.
 template <class FT>
 Gauss_map_rows<FT> gauss_map_rows(const Oriented_samples<FT>& samples, const Basis_3<FT>& basis,
                                   const Data_noise<FT>& noise)
@@ -115,7 +112,7 @@ Gauss_map_rows<FT> gauss_map_rows(const Oriented_samples<FT>& samples, const Bas
     Rows::store(dot(n, x), rows.nx.data() + i);
     Rows::store(dot(n, y), rows.ny.data() + i);
     Rows::store(nz, rows.nz.data() + i);
-    Rows::store(numeric::select(nz < Row(-0.2), Row(0), root_weight), rows.root_weight.data() + i);
+    Rows::store(numeric::select(nz < Row(least_cosine_on_sheet), Row(0), root_weight), rows.root_weight.data() + i);
   }
   set_noise(rows, noise);
   return rows;

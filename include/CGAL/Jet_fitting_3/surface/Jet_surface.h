@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -236,7 +235,7 @@ private:
   {
     const Number r(D2L()(radius));
     if (!(r > Number(0)) || !numeric::is_finite(r))
-      throw Invalid_input("the radius of a Jet_surface must be positive and finite: got " + std::to_string(double(r)));
+      throw Invalid_input("the radius of a Jet_surface must be positive and finite: got " + number_text(double(r)));
     return r;
   }
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Buffer.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/numeric/number.h>
 
 #include <cstddef>
 #include <limits>

@@ -34,6 +34,23 @@ struct Basis_3
 };
 
 /// \ingroup PkgJetFitting3Steps
+/// An orthonormal basis with the given z axis, a unit vector, as Duff et al. (2017) have it: no case is singular.
+template <class FT>
+Basis_3<FT> basis_around(const Vector_3<FT>& z)
+{
+  const FT sign = numeric::sign_of(z.z), a = FT(-1) / (sign + z.z), b = z.x * z.y * a;
+  return {{FT(1) + sign * z.x * z.x * a, sign * b, -sign * z.x}, {b, sign + z.y * z.y * a, -z.y}, z};
+}
+
+/// \ingroup PkgJetFitting3Steps
+/// Axes that are turned around z, by an angle from x to y.
+template <class FT>
+Basis_3<FT> turned_axes(const Basis_3<FT>& b, const FT& cosine, const FT& sine)
+{
+  return {cosine * b.x + sine * b.y, cosine * b.y - sine * b.x, b.z};
+}
+
+/// \ingroup PkgJetFitting3Steps
 /// -1 or 1. An axis has two directions: the package gives it the one in the half space of (0.31, 0.53, 0.79).
 /// Fixed in world coordinates, hence deterministic, and independent of scale and of the order of the samples; the
 /// odd direction keeps the axes of symmetric samples off the border of the half space.

@@ -10,6 +10,10 @@
 namespace CGAL {
 namespace Jet_fitting {
 
+/// \ingroup PkgJetFitting3Steps
+/// The standard deviation of a normal variable over the median of its absolute value.
+constexpr double deviation_per_median = 1.4826;
+
 /// \ingroup PkgJetFitting3Choice
 /// The noise of points and normals, each with a standard error, by chance and by what of the surface itself may have
 /// been taken for noise: where that could be all, the error is as large as the noise.

@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_VALUES_ORIENTED_SAMPLES_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 
 #include <algorithm>
@@ -25,6 +26,21 @@ struct Data_noise
   FT position; ///< s: of a coordinate, in length
   FT normal;   ///< s_n: of a component of the unit normal
 };
+
+/// \ingroup PkgJetFitting3Steps
+/// A neighbor whose normal is more than about 100 degrees away from that of the surface is taken for one of another
+/// sheet, and left out: the cosine.
+constexpr double least_cosine_on_sheet = -0.2;
+
+/// \ingroup PkgJetFitting3Steps
+/// Makes unit normals of noisy vectors, which are shorter by 1 - s_n^2 in the mean, as long as those without noise.
+/// \param noise s_n, which counts as 1/2 at most
+template <class FT>
+FT normal_factor(const FT& noise)
+{
+  const FT variance = noise * noise, largest(0.25);
+  return FT(1) / (FT(1) - numeric::select(variance < largest, variance, largest));
+}
 
 /// \ingroup PkgJetFitting3Steps
 /// Samples with unit normals, in world axes. A sample of weight 0 is not there, so its normal may be anything finite.

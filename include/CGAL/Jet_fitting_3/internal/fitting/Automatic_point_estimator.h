@@ -49,7 +49,7 @@ public:
                 const Options& options)
     : m_cloud(tables, normals),
       m_scale(cloud<ConcurrencyTag>(options), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
-              (std::min)(degrees.highest, scale::highest_degree), degrees.order, degrees.highest)
+              (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest)
   {}
 
   const auto& scale() const { return m_scale; }
@@ -172,7 +172,7 @@ private:
   /// The root of the mean of the squares of the radii, and the like, over the two curvatures.
   static Chosen_scale of_curvatures(const scale::Estimate_at_scale& e)
   {
-    const scale::Choice &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
+    const scale::Chosen_fit &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
     Chosen_scale chosen;
     chosen.radius = std::hypot(radius_of_area(x), radius_of_area(y)) / std::sqrt(2);
     chosen.degree = (std::max)(x.degree, y.degree);

@@ -9,7 +9,6 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
 #include <CGAL/Jet_fitting_3/internal/machine/prefetch.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>

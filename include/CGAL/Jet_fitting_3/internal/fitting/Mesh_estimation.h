@@ -21,8 +21,6 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <type_traits>
 #include <variant>
 

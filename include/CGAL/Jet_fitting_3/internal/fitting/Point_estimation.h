@@ -14,7 +14,6 @@
 #include <CGAL/Jet_fitting_3/internal/fitting/Ordered_output.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Sample_forms.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/gather_samples.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/parameters.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/read_point_weights.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
@@ -26,6 +25,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <type_traits>

@@ -101,7 +101,7 @@ public:
   /// Takes normals as data, one for each vertex. \param noise of them
   void take_normals(std::vector<Vector_3<double>> normals, double noise)
   {
-    m_given = {std::move(normals), {}, 1 / (1 - std::min(0.25, noise * noise)), noise, false};
+    m_given = {std::move(normals), {}, normal_factor(noise), noise, false};
     m_surface.given = &m_given;
   }
 

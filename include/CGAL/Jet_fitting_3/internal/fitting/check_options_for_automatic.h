@@ -14,8 +14,6 @@
 #include <CGAL/Jet_fitting_3/estimation_with_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
-#include <sstream>
-
 namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
@@ -35,16 +33,12 @@ inline void check_options_for_automatic(const Options& options, double per_lengt
     throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
   if (options.use_normals) check_noise_with_normals(options);
   else check_noise(options);
-  const auto text = [](double noise) {
-    std::ostringstream stream;
-    stream << noise;
-    return stream.str();
-  };
   if (options.position_noise && *options.position_noise * per_length > 1)
-    throw Invalid_input("position_noise is larger than all distances of points: got " + text(*options.position_noise));
+    throw Invalid_input("position_noise is larger than all distances of points: got " +
+                        number_text(*options.position_noise));
   if (options.normal_noise && *options.normal_noise > 1)
     throw Invalid_input("normal_noise is that of a component of unit vectors, 1 at most: got " +
-                        text(*options.normal_noise));
+                        number_text(*options.normal_noise));
 }
 
 /// \throw Invalid_input unless fits of the highest degree have curvatures

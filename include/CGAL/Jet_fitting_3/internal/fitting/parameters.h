@@ -33,7 +33,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 template <class Number>
 std::size_t degree_parameter(const char* name, const Number& n)
 {
-  if (n < Number(1)) throw Invalid_input(std::string(name) + " must be 1 or more: got " + std::to_string(n));
+  if (n < Number(1)) throw Invalid_input(std::string(name) + " must be 1 or more: got " + number_text(double(n)));
   return static_cast<std::size_t>(n);
 }
 

@@ -26,8 +26,6 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {

@@ -17,7 +17,6 @@
 #include <CGAL/Jet_fitting_3/prepared/Form_and_status.h>
 
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL {
