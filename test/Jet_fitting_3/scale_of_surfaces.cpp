@@ -159,7 +159,7 @@ void model_finds_the_variances_of_terms()
 {
   std::mt19937 random(6);
   std::normal_distribution<double> normal;
-  const scale::Ladder ladder = scale::ladder_of({2, 2.4, 2.9, 3.5, 4.1, 5, 6, 7.2, 8.6, 10}, {2, 4, 6});
+  const scale::Candidate_grid grid = scale::candidate_grid({2, 2.4, 2.9, 3.5, 4.1, 5, 6, 7.2, 8.6, 10}, {2, 4, 6});
   const double tau[] = {0, 0, 0.05, 0, 1e-3, 0, 1e-5, 0, 1e-7}, noise = 0.01;
   std::vector<scale::Comparisons> places;
   for (int place = 0; place < 60; ++place) {
@@ -167,7 +167,7 @@ void model_finds_the_variances_of_terms()
     for (std::size_t k = 2; k <= 8; ++k)
       for (std::size_t j = 0; j <= k; ++j)
         c[scale::term_index(k, j)] = normal(random) * tau[k] * std::sqrt(scale::binomial(k, j));
-    std::vector<scale::Moments> shells(ladder.radii.size());
+    std::vector<scale::Moments> shells(grid.radii.size());
     for (int x = -10; x <= 10; ++x)
       for (int y = -10; y <= 10; ++y) {
         double z = noise * normal(random);
@@ -175,19 +175,19 @@ void model_finds_the_variances_of_terms()
           for (std::size_t j = 0; j <= k; ++j)
             z += c[scale::term_index(k, j)] * std::pow(double(x), double(k - j)) * std::pow(double(y), double(j));
         for (std::size_t s = 0; s < shells.size(); ++s)
-          if (std::hypot(x, y) <= ladder.radii[s]) add(shells[s], {{double(x), double(y), z}}, 1);
+          if (std::hypot(x, y) <= grid.radii[s]) add(shells[s], {{double(x), double(y), z}}, 1);
       }
     scale::Candidates candidates;
-    for (std::size_t i = 0; i < ladder.size(); ++i) {
-      const std::size_t s = ladder.shell(i);
-      candidates.push_back(scale::candidate(shells[s], ladder.degree(i), s, ladder.radii[s], 2, true));
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      const std::size_t s = grid.shell(i);
+      candidates.push_back(scale::candidate(shells[s], grid.degree(i), s, grid.radii[s], 2, true));
     }
-    places.push_back(scale::compare_all(candidates, ladder, {0, 3}, noise * noise));
+    places.push_back(scale::compare_all(candidates, grid, {0, 3}, noise * noise));
   }
   std::vector<const scale::Comparisons*> members;
   for (const scale::Comparisons& p : places) members.push_back(&p);
-  const scale::Comparisons means = scale::patch_means(members, ladder, 100, {0, 3});
-  const scale::Bias_model model = scale::bias_model(means, ladder, 2, tau[2] * tau[2]);
+  const scale::Comparisons means = scale::patch_means(members, grid, 100, {0, 3});
+  const scale::Bias_model model = scale::bias_model(means, grid, 2, tau[2] * tau[2]);
   test::check_near(std::log2(model.terms[4] / (tau[4] * tau[4])), 0, 1, "variance of the terms of order 4");
   test::check_near(std::log2(model.terms[6] / (tau[6] * tau[6])), 0, 1.5, "variance of the terms of order 6");
 }

@@ -217,10 +217,10 @@ private:
 
 /// The model for derivatives of the given order from what a patch says.
 /// \param own the variance of the order's own terms
-inline Bias_model bias_model(const Comparisons& means, const Ladder& ladder, std::size_t order, double own)
+inline Bias_model bias_model(const Comparisons& means, const Candidate_grid& grid, std::size_t order, double own)
 {
-  Bias_model model{Bias_fit(means, order, own).terms(), std::vector<double>(ladder.size())};
-  for (std::size_t t = 0; t < means.size(); ++t) raise(model, ladder, t, means[t], 2);
+  Bias_model model{Bias_fit(means, order, own).terms(), std::vector<double>(grid.size())};
+  for (std::size_t t = 0; t < means.size(); ++t) raise(model, grid, t, means[t], 2);
   return model;
 }
 

@@ -22,7 +22,7 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// All candidates at one place, in the order of the ladder, with those that do not exist.
+/// All candidates at one place, in the order of the grid, with those that do not exist.
 using Candidates = std::vector<Candidate>;
 
 /// Two candidates that are compared, by their numbers.
@@ -33,7 +33,7 @@ struct Pair
 
 /// Radii and degrees, and which candidates are compared: the same degree two and four steps down, the next degree at
 /// the same radius and two steps down and up. Candidate i * radii.size() + j has degree i and radius j.
-struct Ladder
+struct Candidate_grid
 {
   std::vector<double> radii;
   std::vector<std::size_t> degrees;
@@ -44,21 +44,21 @@ struct Ladder
   std::size_t degree(std::size_t candidate) const { return degrees[candidate / radii.size()]; }
 };
 
-inline Ladder ladder_of(std::vector<double> radii, std::vector<std::size_t> degrees)
+inline Candidate_grid candidate_grid(std::vector<double> radii, std::vector<std::size_t> degrees)
 {
-  Ladder ladder{std::move(radii), std::move(degrees), {}};
-  const std::size_t n = ladder.radii.size();
-  for (std::size_t i = 0; i < ladder.degrees.size(); ++i)
+  Candidate_grid grid{std::move(radii), std::move(degrees), {}};
+  const std::size_t n = grid.radii.size();
+  for (std::size_t i = 0; i < grid.degrees.size(); ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t own = i * n + j;
-      if (j >= 2) ladder.pairs.push_back({own, own - 2});
-      if (j >= 4) ladder.pairs.push_back({own, own - 4});
-      if (i + 1 == ladder.degrees.size()) continue;
-      ladder.pairs.push_back({own, own + n});
-      if (j >= 2) ladder.pairs.push_back({own, own + n - 2});
-      if (j + 2 < n) ladder.pairs.push_back({own, own + n + 2});
+      if (j >= 2) grid.pairs.push_back({own, own - 2});
+      if (j >= 4) grid.pairs.push_back({own, own - 4});
+      if (i + 1 == grid.degrees.size()) continue;
+      grid.pairs.push_back({own, own + n});
+      if (j >= 2) grid.pairs.push_back({own, own + n - 2});
+      if (j + 2 < n) grid.pairs.push_back({own, own + n + 2});
     }
-  return ladder;
+  return grid;
 }
 
 /// What the difference of two candidates says.
@@ -108,15 +108,15 @@ inline Comparison compare(const Candidate& a, const Candidate& b, const Own_erro
 
 using Comparisons = std::vector<Comparison>;
 
-inline Comparisons compare_all(const Candidates& candidates, const Ladder& ladder, const Target& target,
+inline Comparisons compare_all(const Candidates& candidates, const Candidate_grid& grid, const Target& target,
                                double square_of_noise)
 {
   std::vector<Own_errors> own;
   own.reserve(candidates.size());
   for (const Candidate& c : candidates) own.emplace_back(c, target);
   Comparisons result;
-  result.reserve(ladder.pairs.size());
-  for (const Pair& pair : ladder.pairs)
+  result.reserve(grid.pairs.size());
+  for (const Pair& pair : grid.pairs)
     result.push_back(compare(candidates[pair.first], candidates[pair.second], own[pair.first], own[pair.second], target,
                              square_of_noise));
   return result;
@@ -139,10 +139,10 @@ inline double squared_bias(const Of_orders& terms, const Of_orders& per_variance
 }
 
 /// What a patch says: the members' comparisons in the mean.
-inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Ladder& ladder,
+inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
                                double patch_radius, const Target& target)
 {
-  Comparisons means(ladder.pairs.size());
+  Comparisons means(grid.pairs.size());
   std::vector<double> weights(means.size()), noises(means.size());
   std::vector<std::size_t> counts(means.size());
   for (const Comparisons* member : members)
@@ -162,7 +162,7 @@ inline Comparisons patch_means(const std::vector<const Comparisons*>& members, c
     mean.excess /= weights[t];
     mean.noise = noises[t] / weights[t];
     for (double& term : mean.terms) term /= weights[t];
-    const double ratio = patch_radius / ladder.radii[ladder.shell(ladder.pairs[t].first)];
+    const double ratio = patch_radius / grid.radii[grid.shell(grid.pairs[t].first)];
     const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
     // the square of one normal variable varies more than that of three
     mean.error = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
@@ -171,10 +171,10 @@ inline Comparisons patch_means(const std::vector<const Comparisons*>& members, c
 }
 
 /// The first of a pair errs by their difference at least, less so many standard errors, if the second is no larger.
-inline void raise(Bias_model& model, const Ladder& ladder, std::size_t t, const Comparison& c, double errors)
+inline void raise(Bias_model& model, const Candidate_grid& grid, std::size_t t, const Comparison& c, double errors)
 {
-  const Pair& pair = ladder.pairs[t];
-  if (!c.exists() || ladder.shell(pair.second) > ladder.shell(pair.first)) return;
+  const Pair& pair = grid.pairs[t];
+  if (!c.exists() || grid.shell(pair.second) > grid.shell(pair.first)) return;
   double& least = model.least[pair.first];
   least = std::max(least, c.excess - errors * c.error);
 }
@@ -205,16 +205,16 @@ struct Mean_scale
   std::size_t degree = 0;      ///< the one with most of the weight
 };
 
-inline Mean_scale mean_scale(const Choice& choice, const Ladder& ladder)
+inline Mean_scale mean_scale(const Choice& choice, const Candidate_grid& grid)
 {
   Mean_scale mean;
-  std::vector<double> weights(ladder.degrees.size());
+  std::vector<double> weights(grid.degrees.size());
   for (std::size_t c = 0; c < choice.weights.size(); ++c) {
-    const double r = ladder.radii[ladder.shell(c)];
+    const double r = grid.radii[grid.shell(c)];
     mean.square_of_radius += choice.weights[c] * r * r;
-    weights[c / ladder.radii.size()] += choice.weights[c];
+    weights[c / grid.radii.size()] += choice.weights[c];
   }
-  mean.degree = ladder.degrees[std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin())];
+  mean.degree = grid.degrees[std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin())];
   return mean;
 }
 
@@ -295,7 +295,7 @@ inline double own_factor(const Bias_model& model, const Comparisons& own)
 /// Weights by what a patch says, and by comparisons of the candidates' own where noise cannot explain what they show.
 /// \param of_all the model for all components, of the bias of which one has a hundredth at least; or null
 inline Choice choose_with_own_say(const Candidates& candidates, const Comparisons& own, Bias_model model,
-                                  const Bias_model* of_all, const Ladder& ladder, const Target& target,
+                                  const Bias_model* of_all, const Candidate_grid& grid, const Target& target,
                                   double square_of_noise)
 {
   if (of_all)
@@ -303,7 +303,7 @@ inline Choice choose_with_own_say(const Candidates& candidates, const Comparison
       model.terms[k] = std::max(model.terms[k], 0.01 * of_all->terms[k]);
   const double factor = own_factor(model, own);
   for (double& term : model.terms) term *= factor;
-  for (std::size_t t = 0; t < own.size(); ++t) raise(model, ladder, t, own[t], beyond_noise);
+  for (std::size_t t = 0; t < own.size(); ++t) raise(model, grid, t, own[t], beyond_noise);
   return choose(candidates, model, target, square_of_noise);
 }
 

@@ -22,41 +22,41 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Which candidates of a ladder are wanted.
+/// Which candidates of a grid are wanted.
 class Selection
 {
 public:
   /// None.
   Selection() = default;
-  explicit Selection(const Ladder& ladder) : m_wanted(ladder.size()) {}
+  explicit Selection(const Candidate_grid& grid) : m_wanted(grid.size()) {}
   /// All of the first shells.
-  Selection(const Ladder& ladder, std::size_t shells) : Selection(ladder)
+  Selection(const Candidate_grid& grid, std::size_t shells) : Selection(grid)
   {
-    for (std::size_t c = 0; c < ladder.size(); ++c)
-      if (ladder.shell(c) < shells) add(ladder, c);
+    for (std::size_t c = 0; c < grid.size(); ++c)
+      if (grid.shell(c) < shells) add(grid, c);
   }
 
   /// Those that a choice uses.
-  void add(const Ladder& ladder, const Choice& choice)
+  void add(const Candidate_grid& grid, const Choice& choice)
   {
-    for (std::size_t c = 0; c < ladder.size(); ++c)
-      if (is_used(choice, c)) add(ladder, c);
+    for (std::size_t c = 0; c < grid.size(); ++c)
+      if (is_used(choice, c)) add(grid, c);
   }
 
   /// One of them.
-  void add(const Ladder& ladder, std::size_t c)
+  void add(const Candidate_grid& grid, std::size_t c)
   {
     m_wanted[c] = true;
-    m_degrees.resize(std::max(m_degrees.size(), ladder.shell(c) + 1));
-    for (std::size_t j = 0; j <= ladder.shell(c); ++j) m_degrees[j] = std::max(m_degrees[j], ladder.degree(c));
+    m_degrees.resize(std::max(m_degrees.size(), grid.shell(c) + 1));
+    for (std::size_t j = 0; j <= grid.shell(c); ++j) m_degrees[j] = std::max(m_degrees[j], grid.degree(c));
   }
 
   bool operator[](std::size_t candidate) const { return m_wanted[candidate]; }
   /// Whether there are any of a shell.
-  bool has(const Ladder& ladder, std::size_t shell) const
+  bool has(const Candidate_grid& grid, std::size_t shell) const
   {
     bool result = false;
-    for (std::size_t c = shell; c < ladder.size(); c += ladder.radii.size()) result = result || m_wanted[c];
+    for (std::size_t c = shell; c < grid.size(); c += grid.radii.size()) result = result || m_wanted[c];
     return result;
   }
   /// The number of shells that they need.
@@ -100,18 +100,18 @@ inline void add_samples(const Vector_3<double>* samples, const Slope* slopes, st
 /// \param ends ends[j] is where shell j ends
 /// \param moments without samples
 inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, const std::vector<Slope>& slopes,
-                                 const std::vector<std::size_t>& ends, Moments moments, const Ladder& ladder,
+                                 const std::vector<std::size_t>& ends, Moments moments, const Candidate_grid& grid,
                                  std::size_t order, const Selection& selection, bool with_rows)
 {
-  Candidates result(ladder.size());
+  Candidates result(grid.size());
   for (std::size_t j = 0, k = 0; j < ends.size(); ++j) {
-    if (!selection.has(ladder, j)) continue; // its samples are added with those of the next
+    if (!selection.has(grid, j)) continue; // its samples are added with those of the next
     add_samples(places.data() + k, slopes.empty() ? nullptr : slopes.data() + k, ends[j] - k, selection.degree(j),
                 with_rows, moments);
     k = ends[j];
     if (j > 0 && k - ends[j - 1] < 3) continue; // the same fit again
-    for (std::size_t c = j; c < ladder.size(); c += ladder.radii.size())
-      if (selection[c]) result[c] = candidate(moments, ladder.degree(c), j, ladder.radii[j], order, with_rows);
+    for (std::size_t c = j; c < grid.size(); c += grid.radii.size())
+      if (selection[c]) result[c] = candidate(moments, grid.degree(c), j, grid.radii[j], order, with_rows);
   }
   return result;
 }
@@ -132,9 +132,9 @@ public:
   /// \param ratio of the axes of the ellipses
   /// \param with_rows or their values alone
   Candidates operator()(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, double ratio,
-                        const Ladder& ladder, std::size_t order, const Selection& selection, bool with_rows) const
+                        const Candidate_grid& grid, std::size_t order, const Selection& selection, bool with_rows) const
   {
-    typename Walker<Neighbors>::Disk& disk = walker.disk(i, frame, ladder.radii, selection.shells(),
+    typename Walker<Neighbors>::Disk& disk = walker.disk(i, frame, grid.radii, selection.shells(),
                                                          {m_surface.units[i], ratio, least_cosine(), least, m_most});
     std::vector<Slope> slopes;
     if (m_surface.given) slopes = slopes_of(disk, frame);
@@ -146,7 +146,7 @@ public:
       moments.slope_weight = m_surface.given->weights[i];
       moments.are_of_potentials = m_height == Height::potential;
     }
-    return fits_to_shells(disk.places, slopes, disk.ends, moments, ladder, order, selection, with_rows);
+    return fits_to_shells(disk.places, slopes, disk.ends, moments, grid, order, selection, with_rows);
   }
 
 private:
@@ -202,10 +202,10 @@ public:
   /// Those of the fits.
   Basis_3<double> axes(Vertex i, const Basis_3<double>& axes) const { return round_axes(m_surface, i, axes); }
 
-  Candidates operator()(Worker& walker, Vertex i, const Local_frame& frame, const Ladder& ladder,
+  Candidates operator()(Worker& walker, Vertex i, const Local_frame& frame, const Candidate_grid& grid,
                         const Selection& selection, bool with_rows) const
   {
-    return m_fitter(walker, i, frame, 1, ladder, m_order, selection, with_rows);
+    return m_fitter(walker, i, frame, 1, grid, m_order, selection, with_rows);
   }
 
 private:

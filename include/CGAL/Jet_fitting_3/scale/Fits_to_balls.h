@@ -53,7 +53,7 @@ public:
   Basis_3<double> axes(const Vertex&, const Basis_3<double>& axes) const { return axes; }
 
   averaging::Candidates operator()(Worker& near, const Vertex& v, const averaging::Local_frame& frame,
-                                   const averaging::Ladder& radii, const averaging::Selection& selection,
+                                   const averaging::Candidate_grid& radii, const averaging::Selection& selection,
                                    bool with_rows) const
   {
     if (selection.shells() == 0) return averaging::Candidates(radii.size());

@@ -70,7 +70,7 @@ public:
   {
     std::vector<std::size_t> degrees;
     for (std::size_t d = m_order; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
-    m_ladder = ladder_of(std::move(radii), std::move(degrees));
+    m_grid = candidate_grid(std::move(radii), std::move(degrees));
     for (std::size_t j = 0; j <= m_order; ++j) m_targets.push_back({j, j + 1});
     m_targets.push_back({0, m_order + 1});
     learn(vertices, frame_at, for_each);
@@ -82,7 +82,7 @@ public:
     const Whereabouts own = m_fits.place(i);
     const Place& place = m_places[nearest_place(m_points, own)];
     const Local_frame round{frame.origin, m_fits.axes(i, frame.axes)};
-    Candidates candidates = m_fits(worker, i, round, m_ladder, place.selection, false);
+    Candidates candidates = m_fits(worker, i, round, m_grid, place.selection, false);
     if (is_like(place, candidates))
       return in_axes(frame.axes, round.axes,
                      mean(candidates, place.choices, is_reversed(place, frame.axes.x), own.unit));
@@ -124,28 +124,28 @@ private:
     });
     for (Place& place : m_places) {
       place.candidates.clear();
-      place.selection = Selection(m_ladder);
-      for (const Choice& choice : place.choices) place.selection.add(m_ladder, choice);
+      place.selection = Selection(m_grid);
+      for (const Choice& choice : place.choices) place.selection.add(m_grid, choice);
     }
   }
 
   Candidates all_candidates(Worker& worker, Vertex i, const Local_frame& frame) const
   {
     const Local_frame round{frame.origin, m_fits.axes(i, frame.axes)};
-    return m_fits(worker, i, round, m_ladder, Selection(m_ladder, m_ladder.radii.size()), true);
+    return m_fits(worker, i, round, m_grid, Selection(m_grid, m_grid.radii.size()), true);
   }
 
   void look_at(Place& place, Candidates candidates, double square_of_noise) const
   {
     place.candidates = std::move(candidates);
     for (const Target& target : m_targets)
-      place.comparisons.push_back(compare_all(place.candidates, m_ladder, target, square_of_noise));
-    place.variances.assign(m_ladder.size(), 0);
-    for (std::size_t c = 0; c < m_ladder.size(); ++c) {
+      place.comparisons.push_back(compare_all(place.candidates, m_grid, target, square_of_noise));
+    place.variances.assign(m_grid.size(), 0);
+    for (std::size_t c = 0; c < m_grid.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
       if (!candidate) continue;
       place.variances[c] = candidate.variance;
-      if (candidate.degree == m_ladder.degrees.front()) place.size = square_of_values(candidate);
+      if (candidate.degree == m_grid.degrees.front()) place.size = square_of_values(candidate);
     }
   }
 
@@ -160,8 +160,8 @@ private:
       members.push_back(&place.comparisons[target == all() || !is_reversed(place, axis) ? target : m_order - target]);
       size += place.size / double(count);
     }
-    const Comparisons means = patch_means(members, m_ladder, std::sqrt(near.back().first), m_targets[target]);
-    return bias_model(means, m_ladder, m_order, size / size_of_unit_terms(m_order));
+    const Comparisons means = patch_means(members, m_grid, std::sqrt(near.back().first), m_targets[target]);
+    return bias_model(means, m_grid, m_order, size / size_of_unit_terms(m_order));
   }
 
   // By what the places around it say, and by its own candidates.
@@ -171,8 +171,8 @@ private:
     const Bias_model of_all = model(near, all(), axis);
     Choices choices;
     for (std::size_t j = 0; j < all(); ++j) {
-      const Comparisons own = compare_all(candidates, m_ladder, m_targets[j], m_fits.square_of_noise(i));
-      choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_ladder, m_targets[j],
+      const Comparisons own = compare_all(candidates, m_grid, m_targets[j], m_fits.square_of_noise(i));
+      choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_grid, m_targets[j],
                                             m_fits.square_of_noise(i)));
     }
     return choices;
@@ -244,7 +244,7 @@ private:
   Fits m_fits;
   std::size_t m_order;
   std::vector<Target> m_targets; // the components, and all
-  Ladder m_ladder;
+  Candidate_grid m_grid;
   std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;
 };

@@ -78,10 +78,9 @@ public:
   /// \param vertices the places
   /// \param for_each as for Surface_choice
   template <class For_each>
-  Second_order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, const Ladder& ladder,
+  Second_order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, const Candidate_grid& grid,
                       Height height, const std::vector<std::size_t>& vertices, const For_each& for_each)
-    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_ladder(ladder),
-      m_fitter(surface, most_samples, height)
+    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_grid(grid), m_fitter(surface, most_samples, height)
   {
     for (const std::size_t i : vertices) {
       m_points.push_back(whereabouts(surface, i));
@@ -119,8 +118,8 @@ public:
   /// The number of shells that choices use.
   std::size_t shells_in_use() const
   {
-    Selection selection(m_ladder);
-    for (const Place& place : m_places) selection.add(m_ladder, place.choices[all]);
+    Selection selection(m_grid);
+    for (const Place& place : m_places) selection.add(m_grid, place.choices[all]);
     return selection.shells();
   }
 
@@ -193,7 +192,7 @@ private:
   Candidates fit(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, std::size_t shape,
                  const Selection& selection, bool with_rows) const
   {
-    return m_fitter(walker, i, frame, shapes[shape], m_ladder, 2, selection, with_rows);
+    return m_fitter(walker, i, frame, shapes[shape], m_grid, 2, selection, with_rows);
   }
 
   // With rows: those that are hopeful at a place, or all where none of them exists.
@@ -202,7 +201,7 @@ private:
   {
     Candidates candidates = fit(walker, i, frame, shape, place.hopeful[shape], true);
     if (std::none_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return bool(c); }))
-      candidates = fit(walker, i, frame, shape, Selection(m_ladder, m_ladder.radii.size()), true);
+      candidates = fit(walker, i, frame, shape, Selection(m_grid, m_grid.radii.size()), true);
     return candidates;
   }
 
@@ -301,11 +300,11 @@ private:
   void compare_disks(Walker<Neighbors>& walker, Place& place) const
   {
     place.frame = tangent_frame(m_surface, walker, place.vertex);
-    place.candidates[0] = fit(walker, place.vertex, place.frame, 0, Selection(m_ladder, m_ladder.radii.size()), true);
+    place.candidates[0] = fit(walker, place.vertex, place.frame, 0, Selection(m_grid, m_grid.radii.size()), true);
     place.comparisons[0][all] =
-        compare_all(place.candidates[0], m_ladder, targets[all], m_squares_of_noise[place.vertex]);
+        compare_all(place.candidates[0], m_grid, targets[all], m_squares_of_noise[place.vertex]);
     for (const Candidate& candidate : place.candidates[0])
-      if (candidate && candidate.degree == m_ladder.degrees.front()) place.own_size = square_of_values(candidate);
+      if (candidate && candidate.degree == m_grid.degrees.front()) place.own_size = square_of_values(candidate);
   }
 
   void choose_in_disks(Place& place) const
@@ -332,23 +331,22 @@ private:
       if (target == all || !are_reversed(place.q, order)) members.push_back(&place.comparisons[shape][target]);
       else if (shape == 0) members.push_back(&place.comparisons[0][2 - target]); // ellipses are the other way
     }
-    const Comparisons means = patch_means(members, m_ladder, std::sqrt(square) / center.unit, targets[target]);
-    return bias_model(means, m_ladder, 2, size / size_of_unit_terms(2));
+    const Comparisons means = patch_means(members, m_grid, std::sqrt(square) / center.unit, targets[target]);
+    return bias_model(means, m_grid, 2, size / size_of_unit_terms(2));
   }
 
   void compare_components(Walker<Neighbors>& walker, Place& place) const
   {
     for (std::size_t s = 0; s < shapes.size(); ++s)
-      for (std::size_t t = 0; t < all; ++t) place.comparisons[s][t].resize(m_ladder.pairs.size());
+      for (std::size_t t = 0; t < all; ++t) place.comparisons[s][t].resize(m_grid.pairs.size());
     if (!place.choices[all].exists()) return;
     for (std::size_t s = 0; s < shapes.size(); ++s) {
       if (s > 0)
-        place.candidates[s] =
-            fit(walker, place.vertex, place.frame, s, Selection(m_ladder, m_ladder.radii.size()), true);
+        place.candidates[s] = fit(walker, place.vertex, place.frame, s, Selection(m_grid, m_grid.radii.size()), true);
       for (const Candidate& candidate : place.candidates[s]) place.variances[s].push_back(candidate.variance);
       for (std::size_t t = 0; t < all; ++t)
         place.comparisons[s][t] =
-            compare_all(place.candidates[s], m_ladder, targets[t], m_squares_of_noise[place.vertex]);
+            compare_all(place.candidates[s], m_grid, targets[t], m_squares_of_noise[place.vertex]);
     }
   }
 
@@ -375,15 +373,15 @@ private:
       m_places[k].choices = {choices[k][x][0], choices[k][xy][1], choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
-      for (Selection& selection : place.hopeful) selection = Selection(m_ladder);
+      for (Selection& selection : place.hopeful) selection = Selection(m_grid);
       add_hopeful(place, 0, all, m_models[place.model].of_all);
       for (std::size_t t = 0; t < all; ++t)
         add_hopeful(place, place.choices[t].shape, t, m_models[place.model].components[place.choices[t].shape][t]);
       place.candidates = {};
       place.comparisons = {};
-      for (Selection& selection : place.selections) selection = Selection(m_ladder);
-      place.selections[0].add(m_ladder, place.choices[all]);
-      for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_ladder, place.choices[t]);
+      for (Selection& selection : place.selections) selection = Selection(m_grid);
+      place.selections[0].add(m_grid, place.choices[all]);
+      for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_grid, place.choices[t]);
     }
   }
 
@@ -393,7 +391,7 @@ private:
     constexpr double hopeless = 400; // with 50 candidates are missing that vertices need
     for (const std::size_t c :
          promising(place.candidates[shape], model, targets[target], m_squares_of_noise[place.vertex], hopeless))
-      place.hopeful[shape].add(m_ladder, c);
+      place.hopeful[shape].add(m_grid, c);
   }
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
@@ -423,15 +421,14 @@ private:
   Choice choose_by(const Bias_model& model, const Candidates& candidates, std::size_t i, std::size_t shape,
                    std::size_t target, const Bias_model* of_all) const
   {
-    const Comparisons own = compare_all(candidates, m_ladder, targets[target], m_squares_of_noise[i]);
+    const Comparisons own = compare_all(candidates, m_grid, targets[target], m_squares_of_noise[i]);
     return choose_by(model, own, candidates, i, shape, target, of_all);
   }
 
   Choice choose_by(const Bias_model& model, const Comparisons& own, const Candidates& candidates, std::size_t i,
                    std::size_t shape, std::size_t target, const Bias_model* of_all) const
   {
-    Choice choice =
-        choose_with_own_say(candidates, own, model, of_all, m_ladder, targets[target], m_squares_of_noise[i]);
+    Choice choice = choose_with_own_say(candidates, own, model, of_all, m_grid, targets[target], m_squares_of_noise[i]);
     choice.shape = shape;
     return choice;
   }
@@ -491,7 +488,7 @@ private:
     double square = 0;
     for (const std::size_t target : {0, 2}) {
       const Choice& choice = e.choices[target].exists() ? e.choices[target] : e.choices[all];
-      const Mean_scale mean = mean_scale(choice, m_ladder);
+      const Mean_scale mean = mean_scale(choice, m_grid);
       square += mean.square_of_radius / 2;
       e.degree = std::max(e.degree, mean.degree);
     }
@@ -529,13 +526,13 @@ private:
       height += choice.weights[c] * candidates[c].height;
     }
     if (!m_surface.given) return height / sum;
-    const double square = mean_scale(choice, m_ladder).square_of_radius;
+    const double square = mean_scale(choice, m_grid).square_of_radius;
     return height / sum * square / (square + 16 * m_surface.given->weights[i]); // by information on x^2, degree 2
   }
 
   const Surface& m_surface;
   const std::vector<double>& m_squares_of_noise;
-  Ladder m_ladder;
+  Candidate_grid m_grid;
   Disk_fitter<Neighbors> m_fitter;
   std::vector<Whereabouts> m_points; // of the places
   std::vector<Place> m_places;

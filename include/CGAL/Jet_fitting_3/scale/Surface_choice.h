@@ -59,21 +59,21 @@ public:
     const auto is_at_border = [&](std::size_t i) { return surface.planes && (*surface.planes)[i].lean > 0.5; };
     const std::vector<std::size_t> vertices = spread_over_kinds(surface.units, is_at_border, most_places);
     for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, i));
-    const auto choice = [&](Height height, const Ladder& ladder, const std::vector<std::size_t>& places) {
-      return Choice_of_height(surface, squares_of_noise, ladder, height, places, for_each);
+    const auto choice = [&](Height height, const Candidate_grid& grid, const std::vector<std::size_t>& places) {
+      return Choice_of_height(surface, squares_of_noise, grid, height, places, for_each);
     };
-    Ladder ladder = widest_ladder(highest, surface.given && surface.given->suffice_in_one_ring);
+    Candidate_grid grid = widest_grid(highest, surface.given && surface.given->suffice_in_one_ring);
     std::vector<std::size_t> some;
     for (std::size_t k = 0; k < vertices.size(); k += 8) some.push_back(vertices[k]);
     std::size_t shells = 0;
     for (const Height height : {Height::z, Height::potential})
-      shells = std::max(shells, choice(height, ladder, some).shells_in_use() + 2);
-    if (shells < ladder.radii.size()) {
-      ladder.radii.resize(shells);
-      ladder = ladder_of(std::move(ladder.radii), std::move(ladder.degrees));
+      shells = std::max(shells, choice(height, grid, some).shells_in_use() + 2);
+    if (shells < grid.radii.size()) {
+      grid.radii.resize(shells);
+      grid = candidate_grid(std::move(grid.radii), std::move(grid.degrees));
     }
     std::vector<Choice_of_height> choices;
-    for (const Height height : {Height::z, Height::potential}) choices.push_back(choice(height, ladder, vertices));
+    for (const Height height : {Height::z, Height::potential}) choices.push_back(choice(height, grid, vertices));
     m_height = is_better(choices[1], choices[0], vertices.size()) ? Height::potential : Height::z;
     m_choices.push_back(std::move(choices[std::size_t(m_height)]));
     m_choices.back().learn_components(for_each);
@@ -90,13 +90,13 @@ public:
 
   /// Of all candidates that there may be.
   /// \param from_one_ring or from two, as positions need
-  static Ladder widest_ladder(std::size_t highest, bool from_one_ring = false)
+  static Candidate_grid widest_grid(std::size_t highest, bool from_one_ring = false)
   {
     std::vector<double> radii;
     for (double r = from_one_ring ? 2 / (1.2 * 1.2 * 1.2 * 1.2) : 2; r < 16; r *= 1.2) radii.push_back(r);
     std::vector<std::size_t> degrees;
     for (std::size_t d = 2; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
-    return ladder_of(std::move(radii), std::move(degrees));
+    return candidate_grid(std::move(radii), std::move(degrees));
   }
 
 private:
