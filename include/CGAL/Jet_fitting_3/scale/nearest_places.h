@@ -114,7 +114,8 @@ inline std::vector<std::size_t> spread_vertices(std::size_t size, std::size_t mo
 }
 
 /// The same, and more of each kind that is rare: where edges are four times as long or short as in the middle, sixteen
-/// times, ..., and at borders of each. An eighth of the number, or all that there are.
+/// times, ..., and at borders of each. An eighth of the number, at borders a third, as patches along them would hold
+/// more places inside than at the border; or all that there are.
 template <class Is_at_border>
 std::vector<std::size_t> spread_over_kinds(const std::vector<double>& units, const Is_at_border& is_at_border,
                                            std::size_t most)
@@ -129,13 +130,14 @@ std::vector<std::size_t> spread_over_kinds(const std::vector<double>& units, con
   };
   std::map<std::pair<long, bool>, std::size_t> counts;
   for (const std::size_t i : vertices) ++counts[kind(i)];
+  const auto enough = [&](const std::pair<long, bool>& k) { return k.second ? most / 3 : most / 8; };
   std::map<std::pair<long, bool>, std::vector<std::size_t>> rare;
   for (std::size_t i = 0; i < units.size(); ++i)
-    if (counts[kind(i)] < most / 8) rare[kind(i)].push_back(i);
+    if (counts[kind(i)] < enough(kind(i))) rare[kind(i)].push_back(i);
   std::vector<bool> is_there(units.size());
   for (const std::size_t i : vertices) is_there[i] = true;
   for (const auto& part : rare)
-    for (const std::size_t k : spread_vertices(part.second.size(), most / 8)) {
+    for (const std::size_t k : spread_vertices(part.second.size(), enough(part.first))) {
       const std::size_t i = part.second[k];
       if (!is_there[i]) vertices.push_back(i);
     }
