@@ -132,8 +132,10 @@ std::vector<std::size_t> spread_over_kinds(const std::vector<double>& units, con
   for (const std::size_t i : vertices) ++counts[kind(i)];
   const auto enough = [&](const std::pair<long, bool>& k) { return k.second ? most / 3 : most / 8; };
   std::map<std::pair<long, bool>, std::vector<std::size_t>> rare;
-  for (std::size_t i = 0; i < units.size(); ++i)
-    if (counts[kind(i)] < enough(kind(i))) rare[kind(i)].push_back(i);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const auto own = kind(i);
+    if (counts[own] < enough(own)) rare[own].push_back(i);
+  }
   std::vector<bool> is_there(units.size());
   for (const std::size_t i : vertices) is_there[i] = true;
   for (const auto& part : rare)
