@@ -25,7 +25,7 @@ namespace Jet_fitting {
 /// positions and normals; too few normals around a point that are known (not zero) are too few points.
 ///
 /// On a mesh: jets of degree 2, 4 and 6 in edge-connected neighborhoods are averaged, with the weights of least
-/// variance and bias. Their radii are 2 to 16 times the length of the edges around the vertex, which may differ from
+/// variance and bias. Their radii are 2 to 24 times the length of the edges around the vertex, which may differ from
 /// part to part. The noise is estimated or given likewise; if edges differ by more than four times, it is estimated for
 /// each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24 edges; orders
 /// above 4 come from one fit of degree `degree_monge`. With Options::use_normals the normals of the vertices join all

@@ -22,6 +22,17 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// The radii of disks end here, in units.
+constexpr double largest_radius = 24;
+
+/// From the smallest one to that.
+inline std::vector<double> radii_of_disks(double smallest = 2)
+{
+  std::vector<double> radii;
+  for (double r = smallest; r < largest_radius; r *= 1.2) radii.push_back(r);
+  return radii;
+}
+
 /// Which candidates of a grid are wanted.
 class Selection
 {
@@ -121,9 +132,8 @@ template <class Neighbors>
 class Disk_fitter
 {
 public:
-  /// \param most vertices of a disk
-  Disk_fitter(const Surface_points<Neighbors>& surface, std::size_t most, Height height = Height::z)
-    : m_surface(surface), m_most(most), m_height(height)
+  explicit Disk_fitter(const Surface_points<Neighbors>& surface, Height height = Height::z)
+    : m_surface(surface), m_height(height)
   {}
 
   Height height() const { return m_height; }
@@ -134,8 +144,8 @@ public:
   Candidates operator()(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, double ratio,
                         const Candidate_grid& grid, std::size_t order, const Selection& selection, bool with_rows) const
   {
-    typename Walker<Neighbors>::Disk& disk = walker.disk(i, frame, grid.radii, selection.shells(),
-                                                         {m_surface.units[i], ratio, least_cosine(), least, m_most});
+    typename Walker<Neighbors>::Disk& disk =
+        walker.disk(i, frame, grid.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, most});
     std::vector<Slope> slopes;
     if (m_surface.given) slopes = slopes_of(disk, frame);
     if (m_height == Height::potential)
@@ -150,7 +160,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t least = 20; // degree 4 is possible
+  static constexpr std::size_t least = 20, most = 2200; // vertices; with 20 degree 4 is possible
 
   double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : least_cosine_of_potentials; }
 
@@ -175,7 +185,6 @@ private:
   }
 
   const Surface_points<Neighbors>& m_surface;
-  std::size_t m_most;
   Height m_height;
 };
 
@@ -192,7 +201,7 @@ public:
   Fits_to_disks(const Surface_points<Neighbors>& surface, const std::vector<double>& squares_of_noise,
                 std::size_t order, Height height)
     : m_surface(surface), m_squares_of_noise(squares_of_noise), m_order(order),
-      m_fitter(surface, most_samples, order == 3 ? height : Height::z)
+      m_fitter(surface, order == 3 ? height : Height::z)
   {}
 
   Worker worker() const { return Worker(m_surface); }
@@ -209,8 +218,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_samples = 2200;
-
   const Surface_points<Neighbors>& m_surface;
   const std::vector<double>& m_squares_of_noise;
   std::size_t m_order;

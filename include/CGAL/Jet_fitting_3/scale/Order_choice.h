@@ -24,17 +24,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The radii for orders 3 and 4 end here, in units.
-constexpr double largest_radius = 24;
-
-/// Two units to that.
-inline std::vector<double> radii_for_orders()
-{
-  std::vector<double> radii;
-  for (double r = 2; r < largest_radius; r *= 1.2) radii.push_back(r);
-  return radii;
-}
-
 /// All derivatives of one order at a vertex as means of several fits, in a given frame.
 struct Order_estimate
 {

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -63,12 +64,12 @@ template <class Neighbors>
 class Second_order_choice
 {
   using Targets = std::array<Target, 4>;
-  static constexpr std::size_t patch = 30, most_samples = 800, all = 3;
+  static constexpr std::size_t patch = 30, all = 3;
   static constexpr std::size_t places_per_model = 4; // far fewer than in a patch
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
-  static constexpr std::array<double, 3> shapes{1, 1.6, 2.6}; // ratios of the axes of the ellipses
-  static constexpr double unlikely = 4, far = 16;             // squares, in standard deviations
-  static constexpr double margin = 1.5;                       // of the risk, by which ellipses must be better
+  static constexpr std::array<double, 4> shapes{1, 1.6, 2.6, 4.2}; // ratios of the axes of the ellipses
+  static constexpr double unlikely = 4, far = 16;                  // squares, in standard deviations
+  static constexpr double margin = 1.5;                            // of the risk, by which ellipses must be better
 
 public:
   using Surface = Surface_points<Neighbors>;
@@ -80,7 +81,7 @@ public:
   template <class For_each>
   Second_order_choice(const Surface& surface, const std::vector<double>& squares_of_noise, const Candidate_grid& grid,
                       Height height, const std::vector<std::size_t>& vertices, const For_each& for_each)
-    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_grid(grid), m_fitter(surface, most_samples, height)
+    : m_surface(surface), m_squares_of_noise(squares_of_noise), m_grid(grid), m_fitter(surface, height)
   {
     for (const std::size_t i : vertices) {
       m_points.push_back(whereabouts(surface, i));
@@ -368,8 +369,8 @@ private:
     });
     for (std::size_t k = 0; k < m_places.size(); ++k) {
       const Near near = nearest_places(m_points, m_points[k], 9);
-      const std::size_t x = best_shape(choices, near, 0, {0, 1, 2}), y = best_shape(choices, near, 2, {0, 1, 2}),
-                        xy = best_shape(choices, near, 1, {0, x, y}); // no walk for it alone
+      const std::size_t x = best_shape(choices, near, 0, {1, 2, 3}), y = best_shape(choices, near, 2, {1, 2, 3}),
+                        xy = best_shape(choices, near, 1, {x, y}); // no walk for it alone
       m_places[k].choices = {choices[k][x][0], choices[k][xy][1], choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
@@ -396,11 +397,11 @@ private:
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.
   std::size_t best_shape(const std::vector<Choices_of_shapes>& choices, const Near& near, std::size_t target,
-                         const std::array<std::size_t, 3>& allowed) const
+                         std::initializer_list<std::size_t> ellipses) const
   {
     std::size_t best = 0;
     double least = 0;
-    for (const std::size_t s : allowed) {
+    for (const std::size_t s : ellipses) {
       if (s == 0 || !choices[near[0].second][s][target].exists()) continue;
       double gain = std::log(margin), count = 0;
       for (const auto& [square, k] : near)

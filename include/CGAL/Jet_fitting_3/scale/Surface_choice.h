@@ -35,7 +35,7 @@ struct One_after_the_other
 inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
 
 /// Chooses radii and degrees for all vertices of a surface with edges from the positions alone, and which height. Radii
-/// are 2 to 16 units, and what is learned of bias, in units as well: so it holds where edges have another length, as
+/// are 2 to 24 units, and what is learned of bias, in units as well: so it holds where edges have another length, as
 /// those of a mesh do that is finer where its surface bends more.
 template <class Neighbors>
 class Surface_choice
@@ -92,11 +92,9 @@ public:
   /// \param from_one_ring or from two, as positions need
   static Candidate_grid widest_grid(std::size_t highest, bool from_one_ring = false)
   {
-    std::vector<double> radii;
-    for (double r = from_one_ring ? 2 / (1.2 * 1.2 * 1.2 * 1.2) : 2; r < 16; r *= 1.2) radii.push_back(r);
     std::vector<std::size_t> degrees;
     for (std::size_t d = 2; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
-    return candidate_grid(std::move(radii), std::move(degrees));
+    return candidate_grid(radii_of_disks(from_one_ring ? 2 / (1.2 * 1.2 * 1.2 * 1.2) : 2), std::move(degrees));
   }
 
 private:

@@ -264,6 +264,12 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 /// where the surface turns: without noise not at all.
 inline int rounds_of_smoothing(double noise_in_edges) { return int(64 * std::min(0.5, noise_in_edges)); }
 
+/// That of the angle by which averages may turn from the normals of fits: 30 degrees, and as much as noise turns these.
+inline double least_cosine_of_smoothing(double noise_in_edges)
+{
+  return std::cos(std::min(3.1, 0.52 + 2.1 * noise_in_edges));
+}
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace averaging
 } // namespace Jet_fitting

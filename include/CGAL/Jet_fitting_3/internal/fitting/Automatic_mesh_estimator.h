@@ -100,7 +100,7 @@ public:
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
       m_higher.emplace_back(Fits(m_surface.surface(), m_squares_of_noise, order, m_choice.height()),
-                            averaging::radii_for_orders(), degrees.highest,
+                            averaging::radii_of_disks(), degrees.highest,
                             averaging::spread_over_scales(m_surface.surface().units, averaging::most_places), frame_at,
                             For_each_with_body<ConcurrencyTag>());
   }

@@ -57,8 +57,7 @@ inline std::vector<Vector_3<double>> unit_vectors(const Normal_table& normals, s
 /// that tell where the surface turns. Vertices are the nodes of the adjacency.
 class Unit_surface
 {
-  static constexpr int first_rounds = 3;       // of the normals of the mesh: over two edges or so
-  static constexpr double least_cosine = 0.87; // 30 degrees, by which averages differ from the normals of fits
+  static constexpr int first_rounds = 3; // of the normals of the mesh: over two edges or so
 
   struct Neighbors
   {
@@ -105,19 +104,21 @@ public:
     m_surface.given = &m_given;
   }
 
-  /// Takes the normals from fits, which are more exact, and averages them as noise asks for.
+  /// Takes the normals from fits, which are more exact. They and those that the fits begin with are averaged as noise
+  /// asks for.
   /// \param squares_of_noise of each point, in squares of its unit
   /// \return the surface with tangent planes
   template <class For_each>
   const Surface& with_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
   {
-    m_planes = averaging::tangent_planes(m_surface, squares_of_noise, for_each);
     std::vector<int> rounds;
-    for (std::size_t i = 0; i < m_planes.size(); ++i) {
-      m_normals[i] = m_planes[i].normal;
-      rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(squares_of_noise[i])));
-    }
-    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds, least_cosine);
+    for (const double square : squares_of_noise) rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(square)));
+    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds);
+    m_planes = averaging::tangent_planes(m_surface, squares_of_noise, for_each);
+    for (std::size_t i = 0; i < m_planes.size(); ++i) m_normals[i] = m_planes[i].normal;
+    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds,
+                                    averaging::least_cosine_of_smoothing(std::sqrt(scale::median(squares_of_noise))));
+    for (std::size_t i = 0; i < m_planes.size(); ++i) m_planes[i].normal = m_normals[i];
     if (m_surface.given) {
       if (averaging::are_better(m_given, m_normals)) take_exact_places();
       weigh_normals(squares_of_noise);
