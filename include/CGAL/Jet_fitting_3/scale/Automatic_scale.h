@@ -258,7 +258,7 @@ private:
       }
       // normals tell how the surface goes on across lines
       const double radius = m_cloud.has_normals() ? here.radius : here.across_lines * here.radius;
-      m_ladders.push_back(ladder_of_cloud(radius, noise, m_cloud.has_normals(), m_highest_choice));
+      m_ladders.push_back(ladder_of_cloud(radius, noise, m_cloud.has_normals(), m_highest_choice, m_cloud.size));
     }
     for (const int level : levels) m_levels.push_back(std::size_t(level - *least));
   }
@@ -311,7 +311,7 @@ private:
     for_each(sample.size(), [&](std::size_t k) {
       const std::vector<std::uint32_t>& of_level = of_levels[m_levels[k]];
       const Vector_3<double>& p = place(std::uint32_t(k));
-      const double radius = m_ladders[m_levels[k]].patch();
+      const double radius = m_ladders[m_levels[k]].patch;
       auto member = std::lower_bound(of_level.begin(), of_level.end(), p.x - radius,
                                      [&](std::uint32_t other, double x) { return place(other).x < x; });
       for (; member != of_level.end() && place(*member).x <= p.x + radius; ++member)

@@ -163,7 +163,7 @@ private:
   // How many fits of a shape have room side by side in the patch, about.
   double places_apart(const Fit& fit) const
   {
-    const double ratio = m_ladder.patch() / m_ladder.radii[fit.rung];
+    const double ratio = m_ladder.patch / m_ladder.radii[fit.rung];
     return 2 * ratio * ratio * (is_ellipse(fit.shape) ? elongation : 1);
   }
 

@@ -47,6 +47,7 @@ struct Ladder
   Noise noise;
   bool with_normals;          ///< as data: fits are of the potential of the Gauss map
   std::size_t highest_choice; ///< the highest degree that may be chosen
+  double patch; ///< the radius over which the bias is averaged: a compromise between the bias of one place, and chance
 
   /// Whether what is taken for noise may be the shape: it is no small part of the balls with the fewest neighbors, and
   /// a quarter of it is uncertain, as other balls tell otherwise. Then nothing is known of the bias.
@@ -54,9 +55,6 @@ struct Ladder
   {
     return 12 * noise.position > radii.front() && 4 * noise.position_error > noise.position;
   }
-
-  /// The radius of the patch over which the bias is averaged: a compromise between the bias of one place, and chance.
-  double patch() const { return radii[radii.size() - 2]; }
 };
 
 /// The ratio of neighboring radii.
@@ -82,8 +80,9 @@ inline double scale_of_level(int level) { return std::pow(ladder_step, steps_of_
 /// Rungs for clouds without noise: the largest ball has about 2,500 neighbors.
 constexpr std::size_t least_rungs = 10;
 
-/// From the radius that holds least_neighbors.
-inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals, std::size_t highest_choice)
+/// From the radius that holds least_neighbors. \param points in the cloud
+inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals, std::size_t highest_choice,
+                              std::size_t points)
 {
   Ladder ladder;
   ladder.noise = noise;
@@ -99,9 +98,13 @@ inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_
   ladder.frame = ladder.first + 1 < reaches(10) ? reaches(10) : ladder.first + 1;
   ladder.axes = ladder.first + 5;
   ladder.first_reference = has_normals || reaches(10) < ladder.first ? ladder.first : reaches(10);
-  const std::size_t rungs = ladder.first + 7 < least_rungs ? least_rungs : ladder.first + 7;
+  const std::size_t fewest = ladder.first + 7 < least_rungs ? least_rungs : ladder.first + 7;
+  // one more where its ball is a small part of the surface: else it tells nothing of the bias
+  const double in_next = double(least_neighbors) * std::pow(ladder_step, 2 * double(fewest));
+  const std::size_t rungs = 5 * in_next <= double(points) ? fewest + 1 : fewest;
   double r = least_radius;
   for (std::size_t j = 0; j < rungs; ++j, r *= ladder_step) ladder.radii.push_back(r);
+  ladder.patch = ladder.radii[fewest - 2];
   return ladder;
 }
 
