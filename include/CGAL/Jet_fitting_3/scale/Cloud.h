@@ -77,7 +77,7 @@ inline int level_of(double radius, double reference)
 /// By what the radii of a level exceed those of level 0.
 inline double scale_of_level(int level) { return std::pow(ladder_step, steps_of_level * level); }
 
-/// Rungs for clouds without noise: the largest ball has about 2,500 neighbors.
+/// The fewest rungs, for clouds without noise: the largest ball has about 2,500 neighbors.
 constexpr std::size_t least_rungs = 10;
 
 /// From the radius that holds least_neighbors. \param points in the cloud
