@@ -159,10 +159,9 @@ void noisy_normals()
       for (const Analytic_mesh& exact : surfaces()) {
         const std::string name = exact.name + ", noise " + text(noise) + " edges, of normals " + text(normal_noise);
         // where normals say next to nothing, by chance one vertex at a corner may be most of the error
-        const std::vector<unsigned> seeds =
-            normal_noise > degree ? std::vector<unsigned>{7, 8, 9} : std::vector<unsigned>{7};
+        const unsigned seeds = normal_noise > degree ? 3 : 1;
         double product_of_seeds = 1;
-        for (const unsigned seed : seeds) {
+        for (unsigned seed = 7; seed < 7 + seeds; ++seed) {
           Noisy_mesh mesh(exact, noise * mean_edge(exact), normal_noise, seed);
           mesh.estimate(jets::automatic(), false);
           const double without = mesh.rms_error();
@@ -171,7 +170,7 @@ void noisy_normals()
           if (normal_noise > 0 && noise == 0.01)
             check_near(summary.noise.normal / normal_noise, 1, 0.15, name + ": estimated");
         }
-        const double ratio = std::pow(product_of_seeds, 1 / double(seeds.size()));
+        const double ratio = std::pow(product_of_seeds, 1 / double(seeds));
         std::cout << name << ": " << ratio << '\n';
         check_le(ratio, 1.2, name + ": beside positions alone");
         product *= ratio;

@@ -260,11 +260,12 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
   return result;
 }
 
-/// How often normals of fits to three rings are averaged with their neighbors', so that at borders, too, they tell
-/// where the surface turns: without noise not at all.
+/// How often normals are averaged with their neighbors', those of the mesh, with which fits to three rings begin, and
+/// those of these fits, so that at borders, too, they tell where the surface turns: without noise not at all.
 inline int rounds_of_smoothing(double noise_in_edges) { return int(64 * std::min(0.5, noise_in_edges)); }
 
-/// That of the angle by which averages may turn from the normals of fits: 30 degrees, and as much as noise turns these.
+/// The cosine of the angle by which averages may turn from the normals of fits: 30 degrees, and as much as noise turns
+/// these.
 inline double least_cosine_of_smoothing(double noise_in_edges)
 {
   return std::cos(std::min(3.1, 0.52 + 2.1 * noise_in_edges));

@@ -104,8 +104,8 @@ public:
     m_surface.given = &m_given;
   }
 
-  /// Takes the normals from fits, which are more exact. They and those that the fits begin with are averaged as noise
-  /// asks for.
+  /// Takes the normals from fits, which are more exact. They, which are those of the planes as well, and those that the
+  /// fits begin with are averaged as noise asks for.
   /// \param squares_of_noise of each point, in squares of its unit
   /// \return the surface with tangent planes
   template <class For_each>
