@@ -89,6 +89,12 @@ enum class Height
   potential
 };
 
+/// What the third derivative of the potential along a principal direction errs by if all normals are tilted alike: at a
+/// distance r along that direction they change the potential by k^2 r^3 tilt / 4.
+/// \param k the curvature in that direction
+/// \param tilt of the normals, an angle
+inline double third_derivative_by_tilt(double k, double tilt) { return 1.5 * k * k * tilt; }
+
 /// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
 /// \param slopes of the samples, or null
 inline void add_samples(const Vector_3<double>* samples, const Slope* slopes, std::size_t count, std::size_t degree,

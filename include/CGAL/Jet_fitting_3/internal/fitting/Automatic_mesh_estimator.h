@@ -132,7 +132,7 @@ public:
       known = k + 3;
       std::copy(higher.derivatives.begin(), higher.derivatives.end(), result.jet.part(k + 3));
       if (k == 0) {
-        result.third_order_errors = {higher.error(0), higher.error(3)};
+        result.third_order_errors = third_order_errors(higher, second);
         if (second.xx < second.yy) std::swap(result.third_order_errors[0], result.third_order_errors[1]);
       }
     }
@@ -142,6 +142,18 @@ public:
   }
 
 private:
+  // Of b0 and b3. By how much the surface slopes over its tangent plane is an error of the normal there.
+  std::array<double, 2> third_order_errors(const averaging::Order_estimate& higher,
+                                           const averaging::Second_order_estimate& second) const
+  {
+    std::array<double, 2> errors{higher.error(0), higher.error(3)};
+    if (m_choice.height() == averaging::Height::z) return errors;
+    const double tilt = std::hypot(second.x, second.y);
+    errors[0] = std::hypot(errors[0], averaging::third_derivative_by_tilt(second.xx, tilt));
+    errors[1] = std::hypot(errors[1], averaging::third_derivative_by_tilt(second.yy, tilt));
+    return errors;
+  }
+
   /// In units: the given one, or that of the mesh.
   averaging::Surface_noise noise(const Point_table<Kernel>& table, const Options& options) const
   {
