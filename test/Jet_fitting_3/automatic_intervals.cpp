@@ -160,11 +160,63 @@ void more_points()
   }
 }
 
+// z = 0.3 sin(2 x + y).
+Place on_wave(double x, double y)
+{
+  const double s = 0.3 * std::sin(2 * x + y), c = 0.3 * std::cos(2 * x + y), slope = std::sqrt(5.) * c;
+  const double length = std::sqrt(1 + slope * slope), k = -5 * s / (length * length * length);
+  return {Kernel::Point_3(x, y, s), Vector(-2 * c, -c, 1) / length, std::max(k, 0.), std::min(k, 0.)};
+}
+
+// Points that are hundreds of times denser at one side than at the other, with exact normals: balls around the sparse
+// ones reach far into the dense part.
+void uneven_density()
+{
+  Intervals found;
+  double squares = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    std::vector<Oriented> points;
+    std::vector<Place> truth;
+    std::vector<std::size_t> sparse;
+    while (points.size() < 8000) {
+      const double x = uniform(random), y = uniform(random);
+      if (uniform(random) > 2 * std::exp(-2.8 * (x + 1)) - 1) continue;
+      truth.push_back(on_wave(x, y));
+      if (x > 0.3 && std::max(x, std::abs(y)) < 0.85) sparse.push_back(points.size());
+      points.emplace_back(truth.back().point, truth.back().normal);
+    }
+    jets::Options options;
+    options.use_normals = true;
+    std::vector<Form> forms;
+    const auto summary =
+        CGAL::estimate_point_monge_forms(points, sparse, jets::automatic(), std::back_inserter(forms),
+                                         CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                                             .normal_map(CGAL::Second_of_pair_property_map<Oriented>()),
+                                         options);
+    for (std::size_t k = 0; k < sparse.size(); ++k) {
+      if (forms[k].coefficients().empty()) continue;
+      const Place& exact = truth[sparse[k]];
+      found.add(forms[k], exact, summary.quality(sparse[k]).scale);
+      squares += std::pow(forms[k].principal_curvatures(0) - exact.k1, 2) +
+                 std::pow(forms[k].principal_curvatures(1) - exact.k2, 2);
+    }
+  }
+  const double error = std::sqrt(squares / (2 * found.count));
+  std::cout << "uneven density: k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
+            << " error " << error << " of " << found.count << std::endl;
+  for (const int count : {found.held1, found.held2})
+    check_ge(double(count) / found.count, 0.9, "uneven density: part of the intervals that holds the truth");
+  check_le(error, 0.1, "uneven density: error of curvatures of size 1");
+}
+
 } // namespace
 
 int main()
 {
   more_points();
+  uneven_density();
   int cases = 0, good = 0;
   for (const Surface& surface : surfaces())
     for (const double noise : {0.001, 0.003, 0.01})

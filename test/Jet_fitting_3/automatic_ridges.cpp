@@ -45,11 +45,17 @@ void found_and_false(const Analytic_mesh& surface, const std::string& name)
 }
 
 // b0 and b3 vanish everywhere, with noise and without.
-void nothing_on_spheres()
+void nothing_where_there_is_nothing()
 {
   for (const double noise : {0., 0.0003, 0.003, 0.05})
     check_equal(automatic_ridges(noisy(sphere(1, 16), noise, 1)).size(), std::size_t(0),
                 "lines on a sphere, noise " + std::to_string(noise));
+  for (const double noise : {1e-7, 1e-5, 0.001, 0.05})
+    check_equal(automatic_ridges(noisy(sphere(1, 40), noise, 1)).size(), std::size_t(0),
+                "lines on a finer sphere, noise " + std::to_string(noise));
+  for (const double noise : {0.001, 0.05}) // its curvatures are constant along their lines
+    check_equal(automatic_ridges(noisy(torus(2, 1, 100, 50), noise, 1)).size(), std::size_t(0),
+                "lines on a torus, noise " + std::to_string(noise));
 }
 
 // With next to no noise their errors are those of the normals in the potential that is fitted.
@@ -68,7 +74,7 @@ int main()
 {
   found_and_false(bezier(65), "Bezier surface");
   found_and_false(ellipsoid(1, 1.5, 2.2, 30), "ellipsoid");
-  nothing_on_spheres();
+  nothing_where_there_is_nothing();
   third_order_on_a_sphere();
   return result();
 }

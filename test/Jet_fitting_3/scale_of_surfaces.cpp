@@ -275,7 +275,7 @@ Errors errors_on(const test::Analytic_mesh& mesh, double noise_in_edges, double 
   const scale::Surface_noise noise = scale::noise_of_surface(surface);
   if (noise_in_edges > 0) test::check_near(noise.of_all.position / step, 1, 0.05, "estimated noise over true noise");
   std::vector<double> squares_of_noise;
-  for (const double u : units) squares_of_noise.push_back(scale::variance_in_units(noise.at(u), u));
+  for (const double u : units) squares_of_noise.push_back(scale::variance_in_units(noise.of_all.position, u));
   const scale::Surface_choice<Neighbors> choice(surface, squares_of_noise);
   scale::Walker<Neighbors> walker(surface);
   Errors errors;

@@ -29,7 +29,6 @@ constexpr std::size_t number_of_targets = 4;
 /// The constants of the choice. Tuned on nine of the survey's surfaces, see benchmark/Jet_fitting_3/survey.
 namespace constant {
 constexpr double variance_factor = 1.2; ///< noise along the surface, and of the frame, which the rows do not know
-constexpr double clip = 400;            ///< a difference counts for so many variances at most
 constexpr double certain = 4;           ///< standard errors above which a bias is taken for proved
 constexpr double cautious = 0.25;       ///< standard errors that are added to an estimate
 constexpr double bias_factor = 40;      ///< of a squared bias in an interval: it is known to a factor of 6 or so
@@ -146,7 +145,7 @@ public:
       const Turned_second_order &candidate = found(*local, of_candidate), &reference = found(*local, of_reference);
       const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
       if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
-      const double d = std::min(squared_difference(candidate, reference, m_target), constant::clip * v_k);
+      const double d = squared_difference(candidate, reference, m_target);
       const double w = weight / (v_k * v_k);
       total += w;
       sum += w * (d - std::max(0., v_k - v));

@@ -107,6 +107,7 @@ public:
           for (std::size_t t = 0; t < all; ++t) m_models[m].components[s][t] = model(m, s, t);
       };
     });
+    learn_slopes(for_each);
     plan(for_each);
   }
 
@@ -140,13 +141,16 @@ public:
     }
     if (!result.choices[all].exists()) return estimate_of_rings(m_surface, walker, i, m_squares_of_noise[i]);
     result.exists = true;
-    std::array<double, 3> q = mean(candidates[0], result.choices[all], result.x, result.y);
+    std::array<double, 3> q = mean(candidates[0], result.choices[all]);
     const auto [cosine, sine] = principal_axis_as(place.q, q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
     q = turn(q, cosine, sine);
-    const double x = result.x;
-    result.x = cosine * x + sine * result.y;
-    result.y = cosine * result.y - sine * x;
+    const bool has_slopes = fits(place.of_slopes, place, candidates[0]);
+    const auto [x, y] = mean_slopes(candidates[0], has_slopes ? place.of_slopes : result.choices[all]);
+    const double part = has_slopes ? m_models[place.model].part_of_slopes : 1;
+    result.tilt = std::hypot(x, y);
+    result.x = part * (cosine * x + sine * y);
+    result.y = part * (cosine * y - sine * x);
     result.variances.fill(result.choices[all].variance / 3);
     result.squared_biases.fill(result.choices[all].squared_bias / 3);
     const double unit = m_surface.units[i];
@@ -173,6 +177,7 @@ private:
     std::array<std::array<Comparisons, 4>, shapes.size()> comparisons; // all only for disks
     std::array<std::vector<double>, shapes.size()> variances;
     std::array<Choice, 4> choices;
+    Choice of_slopes;                                // by disks
     std::array<Selection, shapes.size()> selections; // what they use
     std::array<Selection, shapes.size()> hopeful;    // what vertices around it may use
     std::array<double, 3> q{};                       // second derivatives by disks, in the axes of the frame
@@ -185,7 +190,8 @@ private:
     Near near;         // these, and one more
     Bias_model of_all; // by disks
     std::array<std::array<Bias_model, all>, shapes.size()> components;
-    double variation = 0; // of the curvatures
+    double variation = 0;      // of the curvatures
+    double part_of_slopes = 1; // of those over tangent planes, what is expected to be no error of fits
   };
 
   using Candidates_of_shapes = std::array<Candidates, shapes.size()>;
@@ -312,27 +318,82 @@ private:
   {
     place.choices[all] = choose_by(m_models[place.model].of_all, place.comparisons[0][all], place.candidates[0],
                                    place.vertex, 0, all, nullptr);
-    double x = 0, y = 0;
-    if (place.choices[all].exists()) place.q = mean(place.candidates[0], place.choices[all], x, y);
+    if (place.choices[all].exists()) place.q = mean(place.candidates[0], place.choices[all]);
+  }
+
+  // Slopes have weights of their own: their bias grows faster with the radius than that of second derivatives, whose
+  // bias is by the same terms of the surface. Tangent planes are means over many vertices, so they have a bias, and
+  // little noise. What is best of both takes as much of the slopes over them as their mean square is more than their
+  // error (James and Stein 1961).
+  template <class For_each>
+  void learn_slopes(const For_each& for_each)
+  {
+    constexpr Target both{0, 2};
+    std::vector<Candidates> candidates(m_places.size());
+    std::vector<Comparisons> comparisons(m_places.size());
+    for_each(m_places.size(), [&] {
+      return [&, walker = Walker<Neighbors>(m_surface)](std::size_t k) mutable {
+        const Place& place = m_places[k];
+        candidates[k] =
+            m_fitter(walker, place.vertex, place.frame, 1, m_grid, 1, Selection(m_grid, m_grid.radii.size()), true);
+        comparisons[k] = compare_all(candidates[k], m_grid, both, m_squares_of_noise[place.vertex]);
+      };
+    });
+    std::vector<Bias_model> models(m_models.size());
+    for_each(m_models.size(), [&] {
+      return
+          [&](std::size_t m) { models[m] = model_of(m, both, [&](std::size_t place) { return &comparisons[place]; }); };
+    });
+    std::vector<double> squares(m_places.size());
+    for_each(m_places.size(), [&] {
+      return [&](std::size_t k) {
+        Place& place = m_places[k];
+        place.of_slopes = choose_with_own_say(candidates[k], comparisons[k], models[place.model], nullptr, m_grid, both,
+                                              m_squares_of_noise[place.vertex]);
+        if (!place.of_slopes.exists()) return;
+        const std::array<double, 2> slopes = mean_slopes(candidates[k], place.of_slopes);
+        squares[k] = slopes[0] * slopes[0] + slopes[1] * slopes[1];
+      };
+    });
+    for (Models& of_places : m_models) {
+      double square = 0, risk = 0;
+      for (std::size_t k = 0; k < std::min(patch, of_places.near.size()); ++k) {
+        const std::size_t member = of_places.near[k].second;
+        if (!m_places[member].of_slopes.exists()) continue;
+        square += squares[member];
+        risk += m_places[member].of_slopes.risk();
+      }
+      if (square > 0) of_places.part_of_slopes = std::max(0., 1 - risk / square);
+    }
   }
 
   // What the places around model m say.
   Bias_model model(std::size_t m, std::size_t shape, std::size_t target) const
+  {
+    const std::array<double, 3>& order = place_of(m).q;
+    return model_of(m, targets[target], [&](std::size_t k) -> const Comparisons* {
+      const Place& place = m_places[k];
+      if (target == all || !are_reversed(place.q, order)) return &place.comparisons[shape][target];
+      return shape == 0 ? &place.comparisons[0][2 - target] : nullptr; // ellipses are the other way
+    });
+  }
+
+  // \param comparisons_at what the place of a number says of the target, or null
+  template <class Comparisons_at>
+  Bias_model model_of(std::size_t m, const Target& target, const Comparisons_at& comparisons_at) const
   {
     const Whereabouts& center = m_points[m * places_per_model];
     const Near& near = m_models[m].near;
     const std::size_t count = std::min(patch, near.size());
     std::vector<const Comparisons*> members;
     double size = 0, square = squared_distance(center.point, m_points[near.back().second].point);
-    const std::array<double, 3>& order = place_of(m).q;
     for (std::size_t k = 0; k < count; ++k) {
-      const Place& place = m_places[near[k].second];
-      square = std::max(square, squared_distance(center.point, m_points[near[k].second].point));
-      size += place.own_size / double(count);
-      if (target == all || !are_reversed(place.q, order)) members.push_back(&place.comparisons[shape][target]);
-      else if (shape == 0) members.push_back(&place.comparisons[0][2 - target]); // ellipses are the other way
+      const std::size_t place = near[k].second;
+      square = std::max(square, squared_distance(center.point, m_points[place].point));
+      size += m_places[place].own_size / double(count);
+      if (const Comparisons* member = comparisons_at(place)) members.push_back(member);
     }
-    const Comparisons means = patch_means(members, m_grid, std::sqrt(square) / center.unit, targets[target]);
+    const Comparisons means = patch_means(members, m_grid, std::sqrt(square) / center.unit, target);
     return bias_model(means, m_grid, 2, size / size_of_unit_terms(2));
   }
 
@@ -382,6 +443,7 @@ private:
       place.comparisons = {};
       for (Selection& selection : place.selections) selection = Selection(m_grid);
       place.selections[0].add(m_grid, place.choices[all]);
+      place.selections[0].add(m_grid, place.of_slopes);
       for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_grid, place.choices[t]);
     }
   }
@@ -445,10 +507,7 @@ private:
       Candidates& candidates = candidates_of_shapes[choice.shape];
       if (candidates.empty())
         candidates = fit(walker, i, result.frame, choice.shape, place.selections[choice.shape], false);
-      const auto value_of = [&](const Choice& c) {
-        double x = 0, y = 0;
-        return mean(candidates, c, x, y)[t];
-      };
+      const auto value_of = [&](const Choice& c) { return mean(candidates, c)[t]; };
       // a value beside what disks say, in standard deviations, squared
       const auto beside_disks = [&](double v) { return (v - q[t]) * (v - q[t]) / (in_disks.risk() + choice.risk()); };
       if (!fits(choice, place, candidates) || beside_disks(value_of(choice)) > unlikely)
@@ -496,23 +555,30 @@ private:
     e.radius = unit * std::sqrt(square);
   }
 
-  static std::array<double, 3> mean(const Candidates& candidates, const Choice& choice, double& x, double& y)
+  template <std::size_t size, class Values>
+  static std::array<double, size> mean_of(const Candidates& candidates, const Choice& choice, const Values& values)
   {
-    std::array<double, 3> q{};
+    std::array<double, size> result{};
     double sum = 0;
-    x = y = 0;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (!is_used(choice, c)) continue;
-      const double w = choice.weights[c];
-      sum += w;
-      x += w * candidates[c].slopes[0];
-      y += w * candidates[c].slopes[1];
-      for (std::size_t k = 0; k < 3; ++k) q[k] += w * candidates[c].values[k];
+      sum += choice.weights[c];
+      for (std::size_t k = 0; k < size; ++k) result[k] += choice.weights[c] * values(candidates[c])[k];
     }
-    x /= sum;
-    y /= sum;
-    for (double& value : q) value /= sum;
-    return q;
+    for (double& value : result) value /= sum;
+    return result;
+  }
+
+  static std::array<double, 3> mean(const Candidates& candidates, const Choice& choice)
+  {
+    return mean_of<3>(
+        candidates, choice, [](const Candidate& c) -> const auto& { return c.values; });
+  }
+
+  static std::array<double, 2> mean_slopes(const Candidates& candidates, const Choice& choice)
+  {
+    return mean_of<2>(
+        candidates, choice, [](const Candidate& c) -> const auto& { return c.slopes; });
   }
 
   // Of the surface over the origin of vertex i, as disks tell it, if potentials are measured from there: so far as
@@ -520,15 +586,11 @@ private:
   double height(const Candidates& candidates, const Choice& choice, std::size_t i) const
   {
     if (m_fitter.height() == Height::z) return 0;
-    double height = 0, sum = 0;
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      if (!is_used(choice, c)) continue;
-      sum += choice.weights[c];
-      height += choice.weights[c] * candidates[c].height;
-    }
-    if (!m_surface.given) return height / sum;
+    const double height =
+        mean_of<1>(candidates, choice, [](const Candidate& c) { return std::array<double, 1>{c.height}; })[0];
+    if (!m_surface.given) return height;
     const double square = mean_scale(choice, m_grid).square_of_radius;
-    return height / sum * square / (square + 16 * m_surface.given->weights[i]); // by information on x^2, degree 2
+    return height * square / (square + 16 * m_surface.given->weights[i]); // by information on x^2, degree 2
   }
 
   const Surface& m_surface;

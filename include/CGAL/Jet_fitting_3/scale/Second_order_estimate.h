@@ -51,6 +51,7 @@ struct Second_order_estimate
 {
   Local_frame frame;
   double x = 0, y = 0;                    ///< z_x, z_y
+  double tilt = 0;                        ///< of the tangent plane from fits, where these are not as certain as it
   double xx = 0, xy = 0, yy = 0;          ///< in 1 / length
   std::array<double, 3> variances{};      ///< of xx, sqrt(2) xy, yy
   std::array<double, 3> squared_biases{}; ///< estimated, likewise
@@ -214,6 +215,7 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   q = turn(q, cosine, sine);
   result.x = cosine * fit.slopes[0] + sine * fit.slopes[1];
   result.y = cosine * fit.slopes[1] - sine * fit.slopes[0];
+  result.tilt = std::hypot(result.x, result.y);
   set_derivatives(result, q, unit, surface.stretch(i) == 1);
   const Vector_3<double> reach = surface.points[found[ends[rings] - 1]] - surface.points[i];
   result.radius = std::sqrt(dot(reach, reach));

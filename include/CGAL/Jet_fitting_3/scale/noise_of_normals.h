@@ -101,7 +101,8 @@ Size_of_noise noise_beside_slopes(const Surface_points<Neighbors>& surface,
     }
     return variance_of(Fit_to_slopes(std::move(places), std::move(in_frame), degree));
   };
-  return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, variance), surface.points.size(), first_ring);
+  return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::least_rings, variance),
+                         surface.points.size(), first_ring);
 }
 
 /// That of the normals.

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -91,13 +92,14 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
                          const std::vector<std::size_t>& vertices, std::size_t count, std::size_t degree, double unit)
 {
   const std::size_t unknowns = number_of_jet_coefficients(degree);
-  if (count < unknowns + 8) return std::numeric_limits<double>::infinity();
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (count < unknowns + 8) return unknown;
   std::vector<Vector_3<double>> local;
   for (std::size_t k = 0; k < count; ++k) local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
   Moments moments;
   moments.add<highest_degree>(local.data(), local.size());
   const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
-  if (!matrix.is_regular() || !of_slopes.is_regular()) return std::numeric_limits<double>::infinity();
+  if (!matrix.is_regular() || !of_slopes.is_regular()) return unknown;
   const auto c = matrix.solution(moments.heights, degree), flat = of_slopes.solution(moments.heights, 2);
   double sum = 0;
   for (const Vector_3<double>& q : local) {
@@ -147,12 +149,21 @@ void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, c
   }
 }
 
-/// What is left at a place by fits of two degrees to so many rings, the next, and the one after it.
+/// Whether one of the first vertices is where heights are no polynomials of low degree.
+template <class Neighbors>
+bool turns_too_far(const Surface_points<Neighbors>& surface, const Local_frame& frame,
+                   const std::vector<std::size_t>& vertices, std::size_t count)
+{
+  return std::any_of(vertices.begin(), vertices.begin() + std::ptrdiff_t(count),
+                     [&](std::size_t v) { return dot(surface.normals[v], frame.axes.z) < least_cosine_of_heights; });
+}
+
+/// What is left at a place by fits of two degrees, of the higher one for more rings: infinite where that is not known.
 struct Residuals_at_place
 {
-  static constexpr std::size_t rings = 3;
-  double unit;
-  std::array<std::array<double, rings>, 2> variances; // of two degrees
+  static constexpr std::size_t rings = 6, least_rings = 3;
+  Whereabouts where;
+  std::array<std::array<double, rings>, 2> variances;
   std::array<std::size_t, rings> counts;
 };
 
@@ -160,6 +171,8 @@ struct Residuals_at_place
 struct Size_of_noise
 {
   double value = std::numeric_limits<double>::infinity(), error = 0;
+
+  bool is_told_from_shape() const { return value > 2 * error; }
 };
 
 /// That at some places, of so many points, infinite where they are too few: the least of the medians for fits of
@@ -171,10 +184,10 @@ inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& plac
   using Place = Residuals_at_place;
   Size_of_noise noise;
   for (std::size_t degree = 0; degree < 2; ++degree) {
-    std::array<Variances_of_surface, Place::rings> of_rings;
+    std::array<Variances_of_surface, Place::least_rings> of_rings;
     for (const Place& place : places)
-      for (std::size_t k = 0; k < Place::rings; ++k) of_rings[k].add(place.variances[degree][k], place.counts[k]);
-    for (std::size_t k = 0; k + 1 < Place::rings; ++k) {
+      for (std::size_t k = 0; k < of_rings.size(); ++k) of_rings[k].add(place.variances[degree][k], place.counts[k]);
+    for (std::size_t k = 0; k + 1 < of_rings.size(); ++k) {
       const scale::Estimated_variance own = of_rings[k].median(size), larger = of_rings[k + 1].median(size);
       if (!(std::sqrt(own.value) < noise.value)) continue;
       const double factor = double(first_ring + k + 1) / double(first_ring + k);
@@ -184,79 +197,135 @@ inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& plac
   return noise;
 }
 
-/// The noise of points: in the middle of all, and as it depends on the unit, for it may grow with the edges.
+/// Noise that is alike at neighbors, as meshes from grids and smoothed ones have it: fits to few rings follow it. What
+/// fits of the higher degree leave grows with the rings, at first, and then hardly: by less than the square of their
+/// number, by which it grows where edges of the surface are within reach; on smooth surfaces by about the eleventh
+/// power. The largest such; 0 if there is none.
+/// \param known the noise of each place, if it were not alike: by this what is left is measured, and the result
+inline Size_of_noise noise_alike_at_neighbors(const std::vector<Residuals_at_place>& places,
+                                              const std::vector<double>& known, std::size_t first_ring)
+{
+  constexpr double power = 1.75;
+  Size_of_noise noise{0, 0};
+  for (std::size_t k = 1; k + 2 < Residuals_at_place::rings; ++k) {
+    std::array<std::vector<double>, 3> of_rings;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (std::isfinite(places[i].variances[1][k + 2])) // then those of fewer rings are known
+        for (std::size_t j = 0; j < 3; ++j)
+          of_rings[j].push_back(places[i].variances[1][k + j] / (known[i] * known[i]));
+    if (of_rings[0].empty() || 2 * of_rings[0].size() < places.size()) break;
+    const double least = scale::median(of_rings[0]), middle = scale::median(of_rings[1]),
+                 most = scale::median(of_rings[2]);
+    const double factor = double(first_ring + k + 2) / double(first_ring + k);
+    if (most > std::pow(factor, power) * least || std::sqrt(middle) <= noise.value) continue;
+    noise = {std::sqrt(middle), std::abs(std::sqrt(most) - std::sqrt(least)) / 2};
+  }
+  return noise;
+}
+
+/// The noise of points: of all, and around places.
 struct Surface_noise
 {
-  struct At_unit
-  {
-    double unit, noise;
-  };
-
   Noise of_all;
-  std::vector<At_unit> by_scale; ///< units ascend; empty: is the same everywhere
+  double factor = 1;               ///< by which fits see it larger
+  std::vector<Whereabouts> places; ///< none: it is the same everywhere
+  std::vector<double> at_places;
 
-  /// Where the unit is such.
-  double at(double unit) const
+  /// As fits see it.
+  double at(const Whereabouts& where) const
   {
-    if (by_scale.empty()) return of_all.position;
-    const auto above = std::find_if(by_scale.begin(), by_scale.end(), [&](const At_unit& a) { return a.unit > unit; });
-    if (above == by_scale.begin()) return above->noise;
-    const At_unit& below = *(above - 1);
-    if (above == by_scale.end()) return below.noise;
-    return below.noise *
-           std::pow(above->noise / below.noise, std::log(unit / below.unit) / std::log(above->unit / below.unit));
+    return factor * (places.empty() ? of_all.position : at_places[nearest_place(places, where)]);
   }
 };
 
-/// What fits of two degrees leave at places spread over the surface, the shortest unit first.
+/// What fits of two degrees leave at places spread over the surface.
+/// \param rings how many numbers of them, Residuals_at_place::least_rings or more
 /// \param variance variance(frame, vertices, count, degree, unit) of a fit to the first so many vertices
 template <class Neighbors, class Variance>
 std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface, std::size_t first_ring,
-                                                    const std::array<std::size_t, 2>& degrees, const Variance& variance)
+                                                    const std::array<std::size_t, 2>& degrees, std::size_t rings,
+                                                    const Variance& variance)
 {
   using Place = Residuals_at_place;
   std::vector<Place> places;
   const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
-    Place place{surface.units[i], {}, {}};
-    for (std::size_t k = 0; k < Place::rings; ++k) {
+    Place place{{surface.points[i], surface.units[i], 0, surface.stretch(i)}, {}, {}};
+    for (auto& of_degree : place.variances) of_degree.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < rings; ++k) {
       place.counts[k] = ends[first_ring + k];
-      for (std::size_t d = 0; d < 2; ++d)
-        place.variances[d][k] = variance(frame, found, place.counts[k], degrees[d], place.unit);
+      if (k < Place::least_rings)
+        place.variances[0][k] = variance(frame, found, place.counts[k], degrees[0], surface.units[i]);
+      else if (turns_too_far(surface, frame, found, place.counts[k])) break;
+      place.variances[1][k] = variance(frame, found, place.counts[k], degrees[1], surface.units[i]);
     }
     places.push_back(place);
   };
-  visit_places(surface, first_ring + Place::rings - 1, visit);
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.unit < b.unit; });
+  visit_places(surface, first_ring + rings - 1, visit);
   return places;
+}
+
+/// Whether two differ by more than chance.
+inline bool differ(const Size_of_noise& a, const Size_of_noise& b)
+{
+  constexpr double least = 1.5;
+  return a.value > 0 && std::isfinite(a.value) && std::max(a.value / b.value, b.value / a.value) > least;
+}
+
+/// That around each place where it differs from that of all, else that: it may grow with the edges, and a mesh may come
+/// from several scans.
+/// \param of_all noise_at_places() of all, not 0
+inline std::vector<double> noise_around_places(const std::vector<Residuals_at_place>& places, std::size_t size,
+                                               std::size_t first_ring, const Size_of_noise& of_all)
+{
+  constexpr std::size_t patch = 12;
+  std::vector<Whereabouts> where;
+  for (const Residuals_at_place& place : places) where.push_back(place.where);
+  const auto noise_at = [&](const std::vector<Residuals_at_place>& some) {
+    return noise_at_places(some, size * some.size() / places.size(), first_ring);
+  };
+  std::vector<double> result;
+  for (const Whereabouts& here : where) {
+    std::vector<Residuals_at_place> around; // all whose edges are alike, the nearest first
+    for (const auto& [square, member] : nearest_places(where, here, places.size())) around.push_back(places[member]);
+    const Size_of_noise of_like = noise_at(around), own = differ(of_like, of_all) ? of_like : of_all;
+    around.resize(std::min(patch, around.size()));
+    const Size_of_noise nearby = noise_at(around);
+    // what may be the shape is no more noise than elsewhere
+    const bool is_told = nearby.is_told_from_shape() || (own.is_told_from_shape() && nearby.value < own.value);
+    result.push_back(is_told && differ(nearby, own) ? nearby.value : own.value);
+  }
+  return result;
 }
 
 /// Infinite if there are too few vertices.
 template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {
-  constexpr double most = 4; // ratio of units that are taken together
-  constexpr std::size_t least = 20, first_ring = 3;
+  constexpr std::size_t first_ring = 3;
+  constexpr double more = 1.15;       // than by chance
+  constexpr double alike_at_four = 2; // vertices: these have one error, whose mean is no smaller
   const std::size_t size = surface.points.size();
   const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
                             double unit) {
     return unit * unit * residual_variance(surface, frame, vertices, count, degree, unit);
   };
-  const std::vector<Residuals_at_place> places = residuals_at_places(surface, first_ring, {4, 6}, variance);
-  Surface_noise result;
+  const std::vector<Residuals_at_place> places =
+      residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::rings, variance);
   Size_of_noise of_all = noise_at_places(places, size, first_ring);
   const bool is_told = std::isfinite(of_all.value);
   if (!is_told) // as with four rows of vertices
-    of_all = noise_at_places(residuals_at_places(surface, first_ring, {2, 3}, variance), size, first_ring);
-  result.of_all = {of_all.value, of_all.error};
-  if (!is_told) return result;
-  if (places.empty() || places.back().unit <= most * places.front().unit) return result;
-  for (auto begin = places.begin(), end = begin; begin != places.end(); begin = end) {
-    while (end != places.end() && end->unit <= most * begin->unit) ++end;
-    const std::vector<Residuals_at_place> part(begin, end);
-    const double noise = noise_at_places(part, size, first_ring).value;
-    if (part.size() >= least && noise > 0 && std::isfinite(noise))
-      result.by_scale.push_back({part[part.size() / 2].unit, noise});
-  }
+    of_all =
+        noise_at_places(residuals_at_places(surface, first_ring, {2, 3}, Residuals_at_place::least_rings, variance),
+                        size, first_ring);
+  Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
+  if (!is_told || !(of_all.value > 0)) return result;
+  result.at_places = noise_around_places(places, size, first_ring, of_all);
+  const Size_of_noise alike = noise_alike_at_neighbors(places, result.at_places, first_ring);
+  for (const Residuals_at_place& place : places) result.places.push_back(place.where);
+  if (!(alike.value > more)) return result;
+  result.factor = alike_at_four;
+  result.of_all = {alike.value * of_all.value, alike.error * of_all.value};
+  for (double& noise : result.at_places) noise *= alike.value;
   return result;
 }
 

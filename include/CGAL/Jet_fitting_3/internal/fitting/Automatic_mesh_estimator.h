@@ -142,15 +142,14 @@ public:
   }
 
 private:
-  // Of b0 and b3. By how much the surface slopes over its tangent plane is an error of the normal there.
+  // Of b0 and b3.
   std::array<double, 2> third_order_errors(const averaging::Order_estimate& higher,
                                            const averaging::Second_order_estimate& second) const
   {
     std::array<double, 2> errors{higher.error(0), higher.error(3)};
     if (m_choice.height() == averaging::Height::z) return errors;
-    const double tilt = std::hypot(second.x, second.y);
-    errors[0] = std::hypot(errors[0], averaging::third_derivative_by_tilt(second.xx, tilt));
-    errors[1] = std::hypot(errors[1], averaging::third_derivative_by_tilt(second.yy, tilt));
+    errors[0] = std::hypot(errors[0], averaging::third_derivative_by_tilt(second.xx, second.tilt));
+    errors[1] = std::hypot(errors[1], averaging::third_derivative_by_tilt(second.yy, second.tilt));
     return errors;
   }
 
@@ -170,8 +169,11 @@ private:
   std::vector<double> squares_of_noise() const
   {
     std::vector<double> result;
-    for (const double unit : m_surface.surface().units)
-      result.push_back(averaging::variance_in_units(m_noise.at(unit), unit));
+    const auto& surface = m_surface.surface();
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+      result.push_back(
+          averaging::variance_in_units(m_noise.at({surface.points[i], surface.units[i], 0, surface.stretch(i)}),
+                                       surface.units[i]));
     return result;
   }
 
