@@ -117,7 +117,7 @@ struct Squares
   double of[4] = {0, 0, 0, 0};
   std::size_t count = 0;
 
-  void add(const jets::Jet<double>& jet, const scale::Local_frame& frame, const Place& truth)
+  void add(const jets::Jet<double>& jet, const jets::Local_frame& frame, const Place& truth)
   {
     const jets::Monge_basis<double> m = jets::monge_basis(jet, frame.axes);
     const bool first = std::abs(m.k1) < std::abs(m.k2);
@@ -166,7 +166,7 @@ Squares best_fixed(const scale::Cloud& cloud, const Noisy_cloud& noisy, const Wi
       for (std::size_t i = 0; i < size; i += every) {
         Indices near;
         within(i, scale::reach(cloud, ladder, ladder.radii.size()), near);
-        const scale::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
+        const jets::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
         const auto in_ball = scale::inside(cloud, near, frame, radius);
         squares.add(scale::fit_to_samples(cloud, in_ball, frame, radius, degree, automatic.noise(), solver).fit.jet,
                     frame, noisy.truth[i]);
@@ -215,7 +215,7 @@ void noise_on_a_steep_tube()
   std::size_t count = 0;
   for (std::size_t i = 0; i < size; i += 25, ++count) {
     Within{&noisy.points}(i, scale::reach(cloud, ladder, rungs), near);
-    const scale::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
+    const jets::Local_frame frame = scale::local_frame(cloud, near, i, ladder);
     const scale::Local_ladder local = scale::ladder_of_positions(cloud, near, frame, ladder, {{0, rungs}}, nullptr);
     sum += std::abs(local.candidates[rungs - 1].of_degree(4).value[2]) - 4;
   }

@@ -221,7 +221,7 @@ double square_of_error(const test::Curvatures& found, const test::Curvatures& tr
 void add_fixed(std::vector<double>& sums, const scale::Surface_points<Neighbors>& surface,
                scale::Walker<Neighbors>& walker, std::size_t i, double unit, const test::Curvatures& truth)
 {
-  const scale::Local_frame frame = scale::tangent_frame(surface, walker, i);
+  const CGAL::Jet_fitting::Local_frame frame = scale::tangent_frame(surface, walker, i);
   std::vector<std::size_t> found, ends;
   walker.rings(i, 12, found, ends);
   for (std::size_t rings = 2; rings <= 12; ++rings) {

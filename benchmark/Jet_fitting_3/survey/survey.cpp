@@ -51,7 +51,7 @@ Published read_published(const char* name)
   return published;
 }
 
-survey::Found found(const jets::Jet<double>& jet, const scale::Local_frame& frame)
+survey::Found found(const jets::Jet<double>& jet, const jets::Local_frame& frame)
 {
   const jets::Monge_basis<double> m = jets::monge_basis(jet, frame.axes);
   const auto out = [&frame](const Vector& v) { return frame.axes.out(v); };

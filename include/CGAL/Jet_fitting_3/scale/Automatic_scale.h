@@ -38,8 +38,8 @@ struct One_by_one
 };
 
 /// Chooses radius and degree at the points of a cloud: learns the noise of the whole, and the bias of all candidates on
-/// a subsample, every 25th point; then each point can be asked. What is chosen depends on nothing but the points, their
-/// order, and the order in which neighbors are given.
+/// a subsample, every 25th point, more of small clouds; then each point can be asked. What is chosen depends on nothing
+/// but the points, their order, and the order in which neighbors are given.
 ///
 /// \tparam Within calls within(i, radius, indices), which replaces indices by those of the points within the radius of
 ///         point i, i among them, always in the same order; from several threads if for_each uses them
@@ -51,7 +51,7 @@ class Automatic_scale
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 public:
-  /// \param cloud must outlive the object
+  /// \param cloud its arrays must outlive the object
   /// \param within neighbors
   /// \param for_each for_each(count, body) calls body(k) once for each k below count, in any order, from any threads
   /// \param noise if it is known
@@ -71,7 +71,7 @@ public:
     }
     learn_bias(of_some, noise.has_value(), for_each);
   }
-  Automatic_scale(Automatic_scale&&) = default; // not to be copied: the cloud has the place of the border
+  Automatic_scale(Automatic_scale&&) = default; // no copies: the cloud points to the flags of the border
 
   /// With the border that was found.
   const Cloud& cloud() const { return m_cloud; }

@@ -218,8 +218,7 @@ inline Mean_scale mean_scale(const Choice& choice, const Candidate_grid& grid)
   return mean;
 }
 
-/// The candidates that exist, but for those whose own risk is so many times the least: by default, that they get no
-/// weight.
+/// The candidates whose own risk is at most so many times the smallest: by default, those that may get a weight.
 inline std::vector<std::size_t> promising(const Candidates& candidates, const Bias_model& model, const Target& target,
                                           double square_of_noise, double hopeless = 25)
 {

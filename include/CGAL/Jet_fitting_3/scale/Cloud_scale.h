@@ -50,8 +50,8 @@ public:
   /// \param cloud best of a size near 1
   /// \param within, for_each, noise, highest_choice see Automatic_scale
   /// \param order the highest that is asked for; order 3 has a choice of its own, and without normals order 4
-  /// \param highest_of_orders the highest degree that may be chosen for these, and where noise is far below the bias of
-  ///        degree 4; not if the noise is given
+  /// \param highest_of_orders the highest degree that may be chosen for these, and for order 2 where the noise is
+  ///        estimated and far below the bias of degree 4
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
@@ -167,11 +167,11 @@ private:
       choices[k] = m_automatic(some[k], near);
     });
     std::vector<Point_on_ladder> places;
-    std::map<std::size_t, averaging::Local_frame> frames;
+    std::map<std::size_t, Local_frame> frames;
     for (std::size_t k = 0; k < some.size(); ++k)
       if (choices[k].is_chosen) {
         places.push_back({some[k], &m_automatic.ladder(choices[k])});
-        frames[some[k]] = {choices[k].frame.origin, choices[k].frame.axes};
+        frames[some[k]] = choices[k].frame;
       }
     if (places.empty()) return;
     const auto frame_at = [&](Indices&, const Point_on_ladder& place) { return frames.at(place.index); };
@@ -191,8 +191,7 @@ private:
     std::vector<averaging::Order_estimate> result;
     Indices near;
     for (std::size_t k = 0; choice.is_chosen && k < m_higher.size() && k + 3 <= order; ++k) {
-      result.push_back(
-          m_higher[k].estimate(near, {i, &m_automatic.ladder(choice)}, {choice.frame.origin, choice.frame.axes}));
+      result.push_back(m_higher[k].estimate(near, {i, &m_automatic.ladder(choice)}, choice.frame));
       if (result.back().exists()) continue;
       result.pop_back();
       break;

@@ -52,7 +52,7 @@ public:
   }
   Basis_3<double> axes(const Vertex&, const Basis_3<double>& axes) const { return axes; }
 
-  averaging::Candidates operator()(Worker& near, const Vertex& v, const averaging::Local_frame& frame,
+  averaging::Candidates operator()(Worker& near, const Vertex& v, const Local_frame& frame,
                                    const averaging::Candidate_grid& radii, const averaging::Selection& selection,
                                    bool with_rows) const
   {
@@ -60,9 +60,8 @@ public:
     const Ladder& ladder = *v.ladder;
     const std::size_t rungs = std::min(ladder.first + selection.shells(), ladder.radii.size());
     m_within(v.index, reach(m_cloud, ladder, rungs), near);
-    const Local_frame own{frame.origin, frame.axes};
-    const Samples samples = m_cloud.has_normals() ? samples_with_normals(near, own, ladder, rungs)
-                                                  : samples_over_surface(near, own, ladder, rungs);
+    const Samples samples = m_cloud.has_normals() ? samples_with_normals(near, frame, ladder, rungs)
+                                                  : samples_over_surface(near, frame, ladder, rungs);
     averaging::Moments moments;
     if (m_cloud.has_normals()) {
       const Row_weights weights(m_cloud, ladder.noise, unit(ladder));

@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/Nested_fit.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Local_frame.h>
 #include <CGAL/Jet_fitting_3/values/Oriented_samples.h>
 
 #include <algorithm>
@@ -25,13 +26,6 @@ namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 using Indices = std::vector<std::size_t>;
-
-/// Where heights are measured: an origin on the surface and axes, z along the normal.
-struct Local_frame
-{
-  Vector_3<double> origin;
-  Basis_3<double> axes;
-};
 
 /// 1 / length times v; z where it has no length.
 inline Vector_3<double> unit_vector(const Vector_3<double>& v)

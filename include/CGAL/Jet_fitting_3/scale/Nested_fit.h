@@ -25,7 +25,8 @@ using Covariance = std::array<std::array<double, 5>, 5>;
 
 /// Weighted least squares for the coefficients of u^i v^j, all degrees up to 4 at once: the Cholesky factor of degree 4
 /// and its inverse W hold those of the lower degrees in their leading blocks, so solutions and covariances are sums
-/// that grow with the degree. For choosing only, where seven digits suffice; what is reported is fitted anew.
+/// that grow with the degree. About seven digits are right: where noise
+/// exceeds rounding such a fit is reported, elsewhere one by orthogonalization.
 class Nested_fit
 {
   static constexpr std::size_t n = number_of_unknowns, width = 16;

@@ -76,7 +76,7 @@ struct Shell_sums
   }
 };
 
-/// What fits of heights and of round heights need, see round_fit(): sums for z, z^2, and z (u^2 + v^2 + z^2), of which
+/// What fits of heights and of round heights need, see Round_fit: sums for z, z^2, and z (u^2 + v^2 + z^2), of which
 /// those for z are the heights.
 struct Round_sums : Shell_sums
 {

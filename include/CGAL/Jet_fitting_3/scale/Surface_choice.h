@@ -34,9 +34,9 @@ struct One_after_the_other
 /// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
 inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
 
-/// Chooses radii and degrees for all vertices of a surface with edges from the positions alone, and which height. Radii
-/// are 2 to 24 units, and what is learned of bias, in units as well: so it holds where edges have another length, as
-/// those of a mesh do that is finer where its surface bends more.
+/// Chooses radii and degrees for all vertices of a surface with edges, from positions, and from given normals, and
+/// which height. Radii end at 24 units, and what is learned of bias is in units as well: so it holds where edges have
+/// another length, as those of a mesh do that is finer where its surface bends more.
 template <class Neighbors>
 class Surface_choice
 {

@@ -77,8 +77,8 @@ inline double error_at(const Second_order& fit, double r)
   return std::sqrt((fit.covariance[2][2] + fit.covariance[3][3] + fit.covariance[4][4]) / 3) * r * r / 2;
 }
 
-/// Where they are to be found, for looks at all rungs: the first that noise does not move by more than a part of the
-/// radius at the rim.
+/// For each radius whose surface is to be found, the first fit of degree 2 that noise does not move by more than a part
+/// of the radius at its rim, or its own. For looks at all rungs.
 inline void find_surfaces(std::vector<Look>& looks, const std::vector<Second_order>& of_balls, const Ladder& ladder)
 {
   constexpr double noise_at_rim = 0.094;

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/scale/Candidate.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
+#include <CGAL/Jet_fitting_3/values/Local_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,15 +88,6 @@ inline std::optional<Slope> slope_of(const Vector_3<double>& normal)
   if (!(normal.z > least_cosine)) return std::nullopt;
   return Slope{-normal.x / normal.z, -normal.y / normal.z};
 }
-
-/// An origin and axes, z along the normal.
-struct Local_frame
-{
-  Vector_3<double> origin;
-  Basis_3<double> axes;
-
-  Vector_3<double> in(const Vector_3<double>& p) const { return axes.in(p - origin); }
-};
 
 /// Any axes with this z, which need not have length 1.
 inline Basis_3<double> axes_around(const Vector_3<double>& direction)
@@ -183,11 +175,11 @@ public:
   /// What belongs to a disk.
   struct Extent
   {
-    double unit;               ///< of the radii and places, in length
-    double ratio = 1;          ///< of the axes of the ellipse
-    double least_cosine = 0.5; ///< of the angle between a normal and the axis z
-    std::size_t least = 0;     ///< so many vertices are found even if the surface turns too far
-    std::size_t most = 0;      ///< a shell that exceeds it is left out
+    double unit;         ///< of the radii and places, in length
+    double ratio;        ///< of the axes of the ellipse
+    double least_cosine; ///< of the angle between a normal and the axis z
+    std::size_t least;   ///< so many vertices are found even if the surface turns too far
+    std::size_t most;    ///< a shell that exceeds it is left out
   };
 
   /// The part of the surface around the seed within ellipses around the axis z of the frame, up to the first `shells`
@@ -248,7 +240,8 @@ private:
     double xx, yy, least_z;
   };
 
-  // Puts them into shell s, or those farther out. Returns the least squared distance of those that lean too far.
+  // Puts them into shell s, or those farther out. Returns the smallest squared distance of those whose normals
+  // are tilted too far.
   double visit_neighbors(std::size_t vertex, const Local_frame& frame, const std::vector<double>& squares,
                          std::size_t s, const Ellipse& ellipse)
   {

@@ -21,8 +21,8 @@ namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Which of some points have one before them within a five-hundredth of the radius that holds least_neighbors: a copy,
-/// as files have them that were merged after rounding. By chance it is one point in 5000 of those spread over a
-/// surface.
+/// as files have them that were merged after rounding. By chance it is one point in 11,000 of those spread over
+/// a surface.
 template <class Within>
 std::vector<char> are_near_copies(const Cloud& cloud, const Within& within, const Indices& points)
 {

@@ -66,15 +66,14 @@ private:
     template <class Body>
     void operator()(std::size_t count, const Body& body) const
     {
-      // each takes long: a block, which is of so many numbers, has eight of them
-      constexpr std::size_t numbers_of_one = 128;
-      static_assert(block_size % numbers_of_one == 0, "no body is divided");
-      for_each_block<ConcurrencyTag>(count * numbers_of_one, [&] {
+      constexpr std::size_t at_a_time = 8;
+      const auto make_worker = [&] {
         return [&](std::size_t first, std::size_t last) {
-          for (std::size_t k = first / numbers_of_one; k < last / numbers_of_one; ++k) body(k);
+          for (std::size_t k = first; k < last; ++k) body(k);
           return true;
         };
-      });
+      };
+      for_each_block<ConcurrencyTag>(count, make_worker, at_a_time);
     }
   };
 

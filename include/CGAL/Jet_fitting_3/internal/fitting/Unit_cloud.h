@@ -28,8 +28,8 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Samples as automatic() and estimate_noise() take them: near the origin, of size 1, with a search for neighbors. The
-/// tables must outlive it.
+/// Samples as automatic() and estimate_noise() take them: near the origin, half of them within 1 in each coordinate,
+/// with a search for neighbors. The tables must outlive it.
 template <class Kernel>
 class Unit_cloud
 {
@@ -49,8 +49,6 @@ public:
   Unit_cloud(const Unit_cloud&) = delete;
   Unit_cloud& operator=(const Unit_cloud&) = delete;
 
-  const std::vector<Vector_3<double>>& places() const { return m_places; }
-  const std::vector<Vector_3<double>>& normals() const { return m_normals; }
   scale::Cloud cloud() const
   {
     return {m_places.data(), m_normals.empty() ? nullptr : m_normals.data(), m_places.size(),
