@@ -69,6 +69,7 @@ class Second_order_choice
   static constexpr Targets targets{{{0, 1}, {1, 2}, {2, 3}, {0, 3}}};
   static constexpr std::array<double, 4> shapes{1, 1.6, 2.6, 4.2}; // ratios of the axes of the ellipses
   static constexpr double unlikely = 4, far = 16;                  // squares, in standard deviations
+  static constexpr double steep = 0.1;                             // square of a slope
   static constexpr double margin = 1.5;                            // of the risk, by which ellipses must be better
 
 public:
@@ -145,8 +146,11 @@ public:
     const auto [cosine, sine] = principal_axis_as(place.q, q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
     q = turn(q, cosine, sine);
-    const bool has_slopes = fits(place.of_slopes, place, candidates[0]);
-    const auto [x, y] = mean_slopes(candidates[0], has_slopes ? place.of_slopes : result.choices[all]);
+    // curvatures of steep jets need the slopes of these
+    const std::array<double, 2> of_all = mean_slopes(candidates[0], result.choices[all]);
+    const bool has_slopes =
+        of_all[0] * of_all[0] + of_all[1] * of_all[1] < steep && fits(place.of_slopes, place, candidates[0]);
+    const auto [x, y] = has_slopes ? mean_slopes(candidates[0], place.of_slopes) : of_all;
     const double part = has_slopes ? m_models[place.model].part_of_slopes : 1;
     result.tilt = std::hypot(x, y);
     result.x = part * (cosine * x + sine * y);
@@ -348,6 +352,7 @@ private:
     for_each(m_places.size(), [&] {
       return [&](std::size_t k) {
         Place& place = m_places[k];
+        if (!place.choices[all].exists()) return;
         place.of_slopes = choose_with_own_say(candidates[k], comparisons[k], models[place.model], nullptr, m_grid, both,
                                               m_squares_of_noise[place.vertex]);
         if (!place.of_slopes.exists()) return;

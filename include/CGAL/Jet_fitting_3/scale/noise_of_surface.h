@@ -278,8 +278,13 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
                                                std::size_t first_ring, const Size_of_noise& of_all)
 {
   constexpr std::size_t patch = 12;
+  constexpr double much = 4;
   std::vector<Whereabouts> where;
   for (const Residuals_at_place& place : places) where.push_back(place.where);
+  const auto [shortest, longest] =
+      std::minmax_element(where.begin(), where.end(),
+                          [](const Whereabouts& a, const Whereabouts& b) { return a.unit < b.unit; });
+  const bool edges_differ = longest->unit > much * shortest->unit;
   const auto noise_at = [&](const std::vector<Residuals_at_place>& some) {
     return noise_at_places(some, size * some.size() / places.size(), first_ring);
   };
@@ -287,7 +292,8 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
   for (const Whereabouts& here : where) {
     std::vector<Residuals_at_place> around; // all whose edges are alike, the nearest first
     for (const auto& [square, member] : nearest_places(where, here, places.size())) around.push_back(places[member]);
-    const Size_of_noise of_like = noise_at(around), own = differ(of_like, of_all) ? of_like : of_all;
+    const Size_of_noise of_like = edges_differ ? noise_at(around) : of_all;
+    const Size_of_noise& own = of_like.value > 0 && std::isfinite(of_like.value) ? of_like : of_all;
     around.resize(std::min(patch, around.size()));
     const Size_of_noise nearby = noise_at(around);
     // what may be the shape is no more noise than elsewhere
