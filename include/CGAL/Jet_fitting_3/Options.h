@@ -68,8 +68,8 @@ struct Fit_options
   /// For points with normals as data: the standard deviations of the noise of a coordinate, in length, and of a
   /// component of the unit normal. What counts is their ratio, and that normals are shortened by their noise. 0 means
   /// exact. Both or neither: without them, the noise is estimated from the residuals of each fit. With automatic(),
-  /// which estimates that of the whole, position_noise alone is for positions alone, and on a mesh 0 for both is as if
-  /// neither were given.
+  /// which estimates that of the whole, on a mesh also where it is another, position_noise alone is for positions
+  /// alone, and on a mesh 0 for both is as if neither were given.
   std::optional<double> position_noise, normal_noise;
   /// @}
 
