@@ -18,8 +18,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// Where heights are measured: an origin on the surface or near it, and axes, z along the normal.
 struct Local_frame
 {
-  Vector_3<double> origin;
-  Basis_3<double> axes;
+  Vector_3<double> origin; ///< in the coordinates of the points
+  Basis_3<double> axes;    ///< likewise
 
   /// The coordinates of a point.
   Vector_3<double> in(const Vector_3<double>& p) const { return axes.in(p - origin); }
