@@ -175,17 +175,18 @@ void noise_of_an_edge()
   check_le(std::sqrt(product), 1.2, "noise of an edge, beside the best fixed choice");
 }
 
-// As grids and smoothing leave it: white noise, averaged once over the neighbors. Curvatures
-// are as good as by the best fixed choice.
+// As grids and smoothing leave it: white noise, averaged once over the neighbors. Curvatures are as good as by the best
+// fixed choice.
 void noise_alike_at_neighbors()
 {
   double product = 1;
   for (const Analytic_mesh& exact : {torus(2, 1, 100, 50), ellipsoid(1, 1.3, 1.7, 30)}) {
     Noisy_mesh noisy(exact, 0.1 * mean_edge(exact));
-    std::vector<Kernel::Vector_3> shifts, averaged;
-    const auto shift_of = [&](Vertex v) {
-      return noisy.mesh.point(v) - Kernel::Point_3(exact.points[v].x, exact.points[v].y, exact.points[v].z);
+    std::vector<Kernel::Vector_3> averaged;
+    const auto exact_point = [&](Vertex v) {
+      return Kernel::Point_3(exact.points[v].x, exact.points[v].y, exact.points[v].z);
     };
+    const auto shift_of = [&](Vertex v) { return noisy.mesh.point(v) - exact_point(v); };
     double square = 0;
     for (const Vertex v : noisy.mesh.vertices()) {
       Kernel::Vector_3 sum = shift_of(v);
@@ -198,8 +199,7 @@ void noise_alike_at_neighbors()
       square += averaged.back().squared_length() / 3;
     }
     const double noise = std::sqrt(square / double(averaged.size()));
-    for (const Vertex v : noisy.mesh.vertices())
-      noisy.mesh.point(v) = Kernel::Point_3(exact.points[v].x, exact.points[v].y, exact.points[v].z) + averaged[v];
+    for (const Vertex v : noisy.mesh.vertices()) noisy.mesh.point(v) = exact_point(v) + averaged[v];
     double best = std::numeric_limits<double>::infinity();
     for (int rings : {3, 4, 6, 8, 10})
       for (std::size_t degree : {2u, 4u}) {

@@ -74,10 +74,6 @@ Ridge_values ridge_values(const Monge_form<Kernel>& form)
   return values;
 }
 
-/// Whether there is noise beyond what the shape may be. Without it the errors that automatic() estimates are too small
-/// where it takes a few millionths of an edge for noise, as on spheres.
-inline bool is_told_from_shape(const Noise& noise) { return noise.position > 2 * noise.position_error; }
-
 /// What a summary tells of the values at a vertex.
 inline void set_report(Ridge_values& values, const Estimation_status& status, const Fit_quality& quality,
                        const Noise& noise)
@@ -89,7 +85,8 @@ inline void set_report(Ridge_values& values, const Estimation_status& status, co
   if (chosen[0] > 0 && chosen[1] > 0) {
     values.max.error = chosen[0];
     values.min.error = chosen[1];
-    values.errors_contain_bias = is_told_from_shape(noise);
+    // elsewhere the errors are too small where a few millionths of an edge are taken for noise, as on spheres
+    values.errors_contain_bias = is_told_from_shape(noise.position, noise.position_error);
   }
   const auto& errors = quality.standard_errors.coefficients;
   if (errors.size() < monge_offset(4)) return;

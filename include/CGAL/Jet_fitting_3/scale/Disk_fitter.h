@@ -9,7 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
-#include <CGAL/Jet_fitting_3/scale/nearest_places.h>
+#include <CGAL/Jet_fitting_3/scale/whereabouts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -212,7 +212,7 @@ public:
 
   Worker worker() const { return Worker(m_surface); }
   std::size_t order() const { return m_order; }
-  Whereabouts place(Vertex i) const { return {m_surface.points[i], m_surface.units[i], 0, m_surface.stretch(i)}; }
+  Whereabouts place(Vertex i) const { return whereabouts_anywhere(m_surface, i); }
   double square_of_noise(Vertex i) const { return m_squares_of_noise[i]; }
   /// Those of the fits.
   Basis_3<double> axes(Vertex i, const Basis_3<double>& axes) const { return round_axes(m_surface, i, axes); }

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order_estimate.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
+#include <CGAL/Jet_fitting_3/scale/whereabouts.h>
 
 #include <algorithm>
 #include <array>
@@ -47,15 +48,6 @@ public:
 private:
   double m_first = 0, m_count = 0, m_weights = 0, m_sum = 0, m_squares = 0;
 };
-
-/// Of a vertex. Borders are known by the tangent planes.
-template <class Neighbors>
-Whereabouts whereabouts(const Surface_points<Neighbors>& surface, std::size_t i)
-{
-  constexpr double apart = 16; // patches are about ten units wide
-  const double unit = surface.units[i];
-  return {surface.points[i], unit, surface.planes ? apart * unit * (*surface.planes)[i].lean : 0, surface.stretch(i)};
-}
 
 /// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
 /// candidates are compared; patches of places say how their bias depends on degree and radius; each vertex averages its
@@ -360,16 +352,20 @@ private:
         squares[k] = slopes[0] * slopes[0] + slopes[1] * slopes[1];
       };
     });
-    for (Models& of_places : m_models) {
-      double square = 0, risk = 0;
-      for (std::size_t k = 0; k < std::min(patch, of_places.near.size()); ++k) {
-        const std::size_t member = of_places.near[k].second;
-        if (!m_places[member].of_slopes.exists()) continue;
-        square += squares[member];
-        risk += m_places[member].of_slopes.risk();
-      }
-      if (square > 0) of_places.part_of_slopes = std::max(0., 1 - risk / square);
+    for (Models& of_places : m_models) of_places.part_of_slopes = part_of_slopes(of_places.near, squares);
+  }
+
+  // By the squares of the slopes at all places.
+  double part_of_slopes(const Near& near, const std::vector<double>& squares) const
+  {
+    double square = 0, risk = 0;
+    for (std::size_t k = 0; k < std::min(patch, near.size()); ++k) {
+      const std::size_t member = near[k].second;
+      if (!m_places[member].of_slopes.exists()) continue;
+      square += squares[member];
+      risk += m_places[member].of_slopes.risk();
     }
+    return square > 0 ? std::max(0., 1 - risk / square) : 1;
   }
 
   // What the places around model m say.

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
+#include <CGAL/Jet_fitting_3/scale/whereabouts.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
@@ -172,7 +173,7 @@ struct Size_of_noise
 {
   double value = std::numeric_limits<double>::infinity(), error = 0;
 
-  bool is_told_from_shape() const { return value > 2 * error; }
+  bool is_told_from_shape() const { return Jet_fitting::is_told_from_shape(value, error); }
 };
 
 /// That at some places, of so many points, infinite where they are too few: the least of the medians for fits of
@@ -249,7 +250,7 @@ std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbo
   using Place = Residuals_at_place;
   std::vector<Place> places;
   const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
-    Place place{{surface.points[i], surface.units[i], 0, surface.stretch(i)}, {}, {}};
+    Place place{whereabouts_anywhere(surface, i), {}, {}};
     for (auto& of_degree : place.variances) of_degree.fill(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < rings; ++k) {
       place.counts[k] = ends[first_ring + k];
@@ -290,8 +291,9 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
   };
   std::vector<double> result;
   for (const Whereabouts& here : where) {
-    std::vector<Residuals_at_place> around; // all whose edges are alike, the nearest first
-    for (const auto& [square, member] : nearest_places(where, here, places.size())) around.push_back(places[member]);
+    std::vector<Residuals_at_place> around; // the nearest first; where edges differ, all whose edges are alike
+    for (const auto& [square, member] : nearest_places(where, here, edges_differ ? places.size() : patch))
+      around.push_back(places[member]);
     const Size_of_noise of_like = edges_differ ? noise_at(around) : of_all;
     const Size_of_noise& own = of_like.value > 0 && std::isfinite(of_like.value) ? of_like : of_all;
     around.resize(std::min(patch, around.size()));
@@ -325,13 +327,18 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
                         size, first_ring);
   Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
   if (!is_told || !(of_all.value > 0)) return result;
-  result.at_places = noise_around_places(places, size, first_ring, of_all);
-  const Size_of_noise alike = noise_alike_at_neighbors(places, result.at_places, first_ring);
-  for (const Residuals_at_place& place : places) result.places.push_back(place.where);
-  if (!(alike.value > more)) return result;
-  result.factor = alike_at_four;
-  result.of_all = {alike.value * of_all.value, alike.error * of_all.value};
-  for (double& noise : result.at_places) noise *= alike.value;
+  const std::vector<double> around = noise_around_places(places, size, first_ring, of_all);
+  const Size_of_noise alike = noise_alike_at_neighbors(places, around, first_ring);
+  const bool is_alike = alike.value > more;
+  if (is_alike) {
+    result.factor = alike_at_four;
+    result.of_all = {alike.value * of_all.value, alike.error * of_all.value};
+  }
+  if (std::all_of(around.begin(), around.end(), [&](double noise) { return noise == of_all.value; })) return result;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    result.places.push_back(places[k].where);
+    result.at_places.push_back(is_alike ? alike.value * around[k] : around[k]);
+  }
   return result;
 }
 

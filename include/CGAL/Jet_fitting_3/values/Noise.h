@@ -31,6 +31,9 @@ struct Noise
   /// @}
 };
 
+/// Whether noise is more than what of the surface may have been taken for it, by its standard error.
+inline bool is_told_from_shape(double noise, double error) { return noise > 2 * error; }
+
 /// In a larger unit of length, of which one is so many of the present one.
 inline Noise in_larger_unit(const Noise& noise, double per_unit)
 {

@@ -172,8 +172,7 @@ private:
     const auto& surface = m_surface.surface();
     for (std::size_t i = 0; i < surface.points.size(); ++i)
       result.push_back(
-          averaging::variance_in_units(m_noise.at({surface.points[i], surface.units[i], 0, surface.stretch(i)}),
-                                       surface.units[i]));
+          averaging::variance_in_units(m_noise.at(averaging::whereabouts_anywhere(surface, i)), surface.units[i]));
     return result;
   }
 

@@ -67,13 +67,7 @@ private:
     void operator()(std::size_t count, const Body& body) const
     {
       constexpr std::size_t at_a_time = 8;
-      const auto make_worker = [&] {
-        return [&](std::size_t first, std::size_t last) {
-          for (std::size_t k = first; k < last; ++k) body(k);
-          return true;
-        };
-      };
-      for_each_block<ConcurrencyTag>(count, make_worker, at_a_time);
+      for_each_number<ConcurrencyTag>(count, body, at_a_time);
     }
   };
 

@@ -97,15 +97,17 @@ void for_each_block(std::size_t size, const Make_worker& make_worker, std::size_
 }
 
 /// Calls visit(i) for every number i below size.
+/// \param block how many numbers a thread takes at a time
 template <class ConcurrencyTag, class Visit>
-void for_each_number(std::size_t size, const Visit& visit)
+void for_each_number(std::size_t size, const Visit& visit, std::size_t block = block_size)
 {
-  for_each_block<ConcurrencyTag>(size, [&] {
+  const auto make_worker = [&] {
     return [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) visit(i);
       return true;
     };
-  });
+  };
+  for_each_block<ConcurrencyTag>(size, make_worker, block);
 }
 
 /// Runs two tasks, at the same time if there are threads. One does not begin within the other.
