@@ -433,7 +433,11 @@ private:
       const Near near = nearest_places(m_points, m_points[k], 9);
       const std::size_t x = best_shape(choices, near, 0, {1, 2, 3}), y = best_shape(choices, near, 2, {1, 2, 3}),
                         xy = best_shape(choices, near, 1, {x, y}); // no walk for it alone
-      m_places[k].choices = {choices[k][x][0], choices[k][xy][1], choices[k][y][2], m_places[k].choices[all]};
+      Selection others(m_grid);
+      for (const Choice& choice : {choices[k][x][0], choices[k][y][2], m_places[k].choices[all]})
+        others.add(m_grid, choice);
+      m_places[k].choices = {choices[k][x][0], choice_within(others.shells(), m_places[k], choices[k][xy][1]),
+                             choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
       for (Selection& selection : place.hopeful) selection = Selection(m_grid);
@@ -447,6 +451,21 @@ private:
       place.selections[0].add(m_grid, place.of_slopes);
       for (std::size_t t = 0; t < all; ++t) place.selections[place.choices[t].shape].add(m_grid, place.choices[t]);
     }
+  }
+
+  // A choice for xy among the first so many shells, those that others use: errors of xy turn principal axes, and hardly
+  // change curvatures, but where it has little bias, by symmetry, its disks would have several times as many vertices.
+  Choice choice_within(std::size_t shells, const Place& place, const Choice& of_all_shells) const
+  {
+    if (!of_all_shells.exists()) return of_all_shells;
+    const std::size_t shape = of_all_shells.shape;
+    Candidates candidates = place.candidates[shape];
+    for (std::size_t c = 0; c < candidates.size(); ++c)
+      if (m_grid.shell(c) >= shells) candidates[c] = {};
+    const Models& models = m_models[place.model];
+    const Choice choice = choose_by(models.components[shape][1], place.comparisons[shape][1], candidates, place.vertex,
+                                    shape, 1, &models.of_all);
+    return choice.exists() ? choice : of_all_shells;
   }
 
   // Those whose risk is not too far above the least.
