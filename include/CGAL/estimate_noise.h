@@ -17,6 +17,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
+#include <CGAL/Jet_fitting_3/scale/sound_normals.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
@@ -60,16 +61,16 @@ template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
 Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
 {
   const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
-  constexpr bool has_normals = !Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
-  const Unit_surface surface(tables, has_normals);
+  constexpr bool has_normals = has_given_normals<NamedParameters>;
+  const Unit_surface surface(tables, normals_of_mesh<ConcurrencyTag>(mesh, tables), has_normals);
   Noise noise = averaging::noise_of_surface(surface.surface()).of_all;
   if (!std::isfinite(noise.position))
     throw Invalid_input("estimate_noise(): of the " + std::to_string(tables.size()) +
                         " vertices of this mesh too few have enough others within three rings");
   if constexpr (has_normals) {
-    const averaging::Size_of_noise of_normals =
-        averaging::noise_of_normals(surface.surface(),
-                                    normals_of_nodes(tables, read_unit_normals(np, *tables.numbering)));
+    const averaging::Size_of_noise of_normals = averaging::noise_of_normals(
+        surface.surface(),
+        averaging::on_side_of(surface.surface(), normals_of_nodes(tables, read_unit_normals(np, *tables.numbering))));
     noise.normal = of_normals.value;
     noise.normal_error = of_normals.error;
   }

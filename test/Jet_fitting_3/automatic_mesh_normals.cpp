@@ -295,6 +295,62 @@ void bad_normals()
                                     {"normals", "too few", "normal_noise"}, "no normal is known");
 }
 
+// With some normals wrong, of either side or unknown errors are much as with all of them right; with none right they
+// are those of positions.
+void wrong_normals()
+{
+  const Analytic_mesh exact = torus(2, 1, 80, 32);
+  Noisy_mesh mesh(exact, 0.01 * mean_edge(exact), 0.001);
+  std::vector<Vector> kept;
+  for (const Vertex v : mesh.mesh.vertices()) kept.push_back(mesh.normals[v]);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  const auto any = [&] {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    return Vector(x, y, z) / std::sqrt(x * x + y * y + z * z);
+  };
+  const auto error = [&](double part, const auto& instead) {
+    for (const Vertex v : mesh.mesh.vertices()) mesh.normals[v] = uniform(random) < part ? instead(kept[v]) : kept[v];
+    const auto summary = mesh.estimate(jets::automatic(), true);
+    check_equal(summary.estimated, mesh.truth.size(), "all are estimated beside wrong normals");
+    for (const Vertex v : mesh.mesh.vertices()) {
+      const Point n = mesh.truth[v].normal;
+      mesh.forms[v].comply_wrt_given_normal(Vector(n.x, n.y, n.z));
+    }
+    return std::pair(mesh.rms_error(), summary.noise.wrong_normals);
+  };
+  const auto anywhere = [&](const Vector&) { return any(); };
+  const auto turned = [](const Vector& n) { return -n; };
+  const auto tilted = [&](const Vector& n) { return n + 0.3 * any(); };
+  const auto unknown = [](const Vector&) { return Vector(0, 0, 0); };
+  const auto of_right = error(0, turned);
+  const double best = of_right.first;
+  check_equal(of_right.second, std::size_t(0), "no normal is wrong");
+  const double size = double(mesh.truth.size());
+  const auto check = [&](double part, const auto& instead, double factor, double found, const std::string& name) {
+    const auto [of_some, wrong] = error(part, instead);
+    std::cout << name << ": " << of_some / best << ", wrong " << double(wrong) / size << '\n';
+    check_le(of_some, factor * best, name);
+    check_near(double(wrong), found * size, 0.02 * size, name + ": number");
+  };
+  check(0.01, anywhere, 1.1, 0.01, "one in a hundred is any direction");
+  check(0.1, anywhere, 1.3, 0.1, "one in ten is any direction");
+  check(0.05, tilted, 1.3, 0.05, "one in twenty is tilted");
+  check(0.5, turned, 1.001, 0, "half of the normals are turned");
+  check(0.3, unknown, 1.5, 0, "a third of the normals are unknown");
+  mesh.estimate(jets::automatic(), false);
+  const double positions = mesh.rms_error();
+  check_le(1.5 * best, positions, "normals are better than none");
+  check_le(error(1, anywhere).first, 1.05 * positions, "all normals are any directions");
+  mesh.estimate(jets::automatic(), false);
+  for (const Vertex v : mesh.mesh.vertices()) {
+    const Point n = mesh.truth[v].normal;
+    mesh.forms[v].comply_wrt_given_normal(Vector(n.x, n.y, n.z));
+  }
+  check_equal(mesh.rms_error(), positions, "normals that orient change nothing else");
+}
+
 // Normals turn forms to their side, and are data of whichever length.
 void turned_and_longer()
 {
@@ -342,6 +398,7 @@ int main()
   normals_of_the_surface();
   higher_orders();
   bad_normals();
+  wrong_normals();
   turned_and_longer();
   intervals();
   return result();

@@ -174,6 +174,7 @@ private:
     if (of_normals) {
       m_out << "; of normals, in radians: ";
       add_with_error(noise.normal, noise.normal_error);
+      if (noise.wrong_normals > 0) m_out << "; " << noise.wrong_normals << " are taken for wrong, and left out";
     }
     m_out << '\n';
   }

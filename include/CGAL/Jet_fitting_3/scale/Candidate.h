@@ -345,13 +345,14 @@ inline Coefficients without_defect(const Moments& moments, std::size_t degree,
                                    const numeric::Vector_field<double>& defect, std::size_t order)
 {
   Coefficients heights = moments.heights;
+  const Moments::Terms& terms = moments.terms_of_slopes();
   for (std::size_t k = 1; k <= degree; ++k)
     for (std::size_t j = 0; j <= k; ++j) {
       double of_x = 0, of_y = 0;
       for (std::size_t l = 0; l <= order; ++l)
         for (std::size_t i = 0; i <= l; ++i) {
-          if (j < k) of_x += defect.x.order(l)[i] * moments.terms[term_index(k - 1 + l, j + i)];
-          if (j > 0) of_y += defect.y.order(l)[i] * moments.terms[term_index(k - 1 + l, j - 1 + i)];
+          if (j < k) of_x += defect.x.order(l)[i] * terms[term_index(k - 1 + l, j + i)];
+          if (j > 0) of_y += defect.y.order(l)[i] * terms[term_index(k - 1 + l, j - 1 + i)];
         }
       heights[term_index(k, j)] -= moments.slope_weight * (double(k - j) * of_x + double(j) * of_y);
     }

@@ -95,15 +95,19 @@ enum class Height
 /// \param tilt of the normals, an angle
 inline double third_derivative_by_tilt(double k, double tilt) { return 1.5 * k * k * tilt; }
 
-/// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
-/// \param slopes of the samples, or null
-inline void add_samples(const Vector_3<double>* samples, const Slope* slopes, std::size_t count, std::size_t degree,
-                        bool with_rows, Moments& moments)
+/// Slopes of samples, and where these are, by shells.
+struct Samples_with_slopes
 {
-  const auto add = [&](auto highest, auto order) {
-    moments.add<highest, order>(samples, count);
-    if (slopes) moments.add_slopes<highest>(samples, slopes, count);
-  };
+  std::vector<Vector_3<double>> places;
+  std::vector<Slope> slopes;
+  std::vector<std::size_t> ends; ///< ends[j] is where shell j ends
+};
+
+/// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
+/// \tparam Add calls add<degree, order> of moments
+template <class Add>
+void add_for_degree(std::size_t degree, bool with_rows, const Add& add)
+{
   using std::integral_constant;
   constexpr std::size_t h = highest_degree;
   if (with_rows) add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, h + highest_order>());
@@ -113,18 +117,24 @@ inline void add_samples(const Vector_3<double>* samples, const Slope* slopes, st
 }
 
 /// The candidates for derivatives of an order that are selected, from samples in a frame and a unit.
-/// \param slopes of all places, or none
+/// \param with_slopes those of the samples that have slopes; may be none
 /// \param ends ends[j] is where shell j ends
 /// \param moments without samples
-inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, const std::vector<Slope>& slopes,
+inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, const Samples_with_slopes& with_slopes,
                                  const std::vector<std::size_t>& ends, Moments moments, const Candidate_grid& grid,
                                  std::size_t order, const Selection& selection, bool with_rows)
 {
   Candidates result(grid.size());
-  for (std::size_t j = 0, k = 0; j < ends.size(); ++j) {
+  const std::vector<Vector_3<double>>& sloping = with_slopes.places;
+  moments.have_all_slopes = sloping.size() == places.size();
+  for (std::size_t j = 0, k = 0, l = 0; j < ends.size(); ++j) {
     if (!selection.has(grid, j)) continue; // its samples are added with those of the next
-    add_samples(places.data() + k, slopes.empty() ? nullptr : slopes.data() + k, ends[j] - k, selection.degree(j),
-                with_rows, moments);
+    add_for_degree(selection.degree(j), with_rows, [&](auto degree, auto highest) {
+      moments.add<degree, highest>(places.data() + k, ends[j] - k);
+      if (sloping.empty()) return;
+      moments.add_slopes<degree, highest>(sloping.data() + l, with_slopes.slopes.data() + l, with_slopes.ends[j] - l);
+      l = with_slopes.ends[j];
+    });
     k = ends[j];
     if (j > 0 && k - ends[j - 1] < 3) continue; // the same fit again
     for (std::size_t c = j; c < grid.size(); c += grid.radii.size())
@@ -152,8 +162,7 @@ public:
   {
     typename Walker<Neighbors>::Disk& disk =
         walker.disk(i, frame, grid.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, most});
-    std::vector<Slope> slopes;
-    if (m_surface.given) slopes = slopes_of(disk, frame);
+    const Samples_with_slopes with_slopes = m_surface.given ? slopes_of(disk, frame) : Samples_with_slopes();
     if (m_height == Height::potential)
       for (std::size_t k = 0; k < disk.places.size(); ++k)
         disk.places[k].z *= (1 + dot(m_surface.normals[disk.vertices[k]], frame.axes.z)) / 2;
@@ -162,7 +171,7 @@ public:
       moments.slope_weight = m_surface.given->weights[i];
       moments.are_of_potentials = m_height == Height::potential;
     }
-    return fits_to_shells(disk.places, slopes, disk.ends, moments, grid, order, selection, with_rows);
+    return fits_to_shells(disk.places, with_slopes, disk.ends, moments, grid, order, selection, with_rows);
   }
 
 private:
@@ -170,24 +179,22 @@ private:
 
   double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : least_cosine_of_potentials; }
 
-  // Those that the normals tell; of the potential, their tangential parts. Leaves out vertices of which they tell none.
-  std::vector<Slope> slopes_of(typename Walker<Neighbors>::Disk& disk, const Local_frame& frame) const
+  // Those that the normals tell; of the potential, their tangential parts.
+  Samples_with_slopes slopes_of(const typename Walker<Neighbors>::Disk& disk, const Local_frame& frame) const
   {
-    std::vector<Slope> slopes;
-    std::size_t kept = 0;
-    for (std::size_t j = 0, k = 0; j < disk.ends.size(); disk.ends[j++] = kept)
+    Samples_with_slopes result;
+    for (std::size_t j = 0, k = 0; j < disk.ends.size(); ++j) {
       for (; k < disk.ends[j]; ++k) {
         const Vector_3<double> n = frame.axes.in(m_surface.given->normals[disk.vertices[k]]);
         const std::optional<Slope> slope = slope_of(n);
         if (!slope) continue;
         const double factor = -m_surface.given->factor;
-        slopes.push_back(m_height == Height::z ? *slope : Slope{factor * n.x, factor * n.y});
-        disk.vertices[kept] = disk.vertices[k];
-        disk.places[kept++] = disk.places[k];
+        result.slopes.push_back(m_height == Height::z ? *slope : Slope{factor * n.x, factor * n.y});
+        result.places.push_back(disk.places[k]);
       }
-    disk.vertices.resize(kept);
-    disk.places.resize(kept);
-    return slopes;
+      result.ends.push_back(result.places.size());
+    }
+    return result;
   }
 
   const Surface_points<Neighbors>& m_surface;

@@ -68,15 +68,15 @@ public:
       moments.slope_weight = weights.slope / weights.height;
       moments.are_of_potentials = true;
     }
-    return averaging::fits_to_shells(samples.places, samples.slopes, samples.ends, moments, radii, m_order, selection,
-                                     with_rows);
+    return averaging::fits_to_shells(samples.places, samples.with_slopes, samples.ends, moments, radii, m_order,
+                                     selection, with_rows);
   }
 
 private:
   struct Samples
   {
     std::vector<Vector_3<double>> places;
-    std::vector<averaging::Slope> slopes;
+    averaging::Samples_with_slopes with_slopes; // all, if the cloud has normals
     std::vector<std::size_t> ends;
   };
 
@@ -115,10 +115,12 @@ private:
     for (std::size_t j = ladder.first; j < rungs; ++j) {
       for (const Local_sample& s : shells[j]) {
         samples.places.push_back({s.u, s.v, s.height});
-        samples.slopes.push_back({s.slope_u, s.slope_v});
+        samples.with_slopes.slopes.push_back({s.slope_u, s.slope_v});
       }
       samples.ends.push_back(samples.places.size());
     }
+    samples.with_slopes.places = samples.places;
+    samples.with_slopes.ends = samples.ends;
     return samples;
   }
 

@@ -146,10 +146,13 @@ inline void straighten(Second_order_estimate& e, std::array<double, 3>& q)
 }
 
 /// Second derivatives of the surface from those of its potential, in orthonormal axes, whose origin is so far beside
-/// the surface: the potential has k (1 - height k / 2) for a curvature k.
+/// the surface: the potential has k (1 - height k / 2) for a curvature k. Heights that are no small part of a radius of
+/// curvature, as of fits that failed, change these by a fourth at most.
 inline std::array<double, 3> of_surface(const std::array<double, 3>& q, double height)
 {
-  const double half = height / 2, xy = q[1] * q[1] / 2;
+  constexpr double most = 0.25;
+  const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+  const double half = size > 0 ? std::clamp(height / 2, -most / size, most / size) : 0, xy = q[1] * q[1] / 2;
   return {q[0] + half * (q[0] * q[0] + xy), q[1] + half * q[1] * (q[0] + q[2]), q[2] + half * (q[2] * q[2] + xy)};
 }
 

@@ -47,10 +47,15 @@ public:
   {
     return variance(2 * m_places.size(), unknowns(),
                     [](const scale::Polynomial_value& fitted, const auto&, const auto& normal) {
-                      const Vector_3<double> n = axes_around(Vector_3<double>{-fitted.slope_u, -fitted.slope_v, 1}).z;
-                      const Vector_3<double> across = cross(n, normal);
-                      return dot(across, across);
+                      return square_of_difference(fitted, normal);
                     });
+  }
+
+  /// Of the normal of the first sample from that of the fit, an angle; none if the samples do not determine it.
+  std::optional<double> difference_of_first() const
+  {
+    if (!m_solution) return std::nullopt;
+    return std::sqrt(square_of_difference(value_at(*m_solution, m_degree, m_places[0].x, m_places[0].y), m_normals[0]));
   }
 
   /// Likewise of the heights of the points, along the normals.
@@ -64,6 +69,14 @@ public:
   }
 
 private:
+  // Of a normal and that of the fit.
+  static double square_of_difference(const scale::Polynomial_value& fitted, const Vector_3<double>& normal)
+  {
+    const Vector_3<double> n = axes_around(Vector_3<double>{-fitted.slope_u, -fitted.slope_v, 1}).z;
+    const Vector_3<double> across = cross(n, normal);
+    return dot(across, across);
+  }
+
   // Without the constant.
   std::size_t unknowns() const { return number_of_jet_coefficients(m_degree) - 1; }
 

@@ -7,6 +7,8 @@
 #ifndef CGAL_JET_FITTING_3_VALUES_NOISE_H
 #define CGAL_JET_FITTING_3_VALUES_NOISE_H
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Jet_fitting {
 
@@ -29,6 +31,9 @@ struct Noise
   /// infinite where automatic() leaves them aside, since they follow from the faces of the mesh.
   double normal = 0, normal_error = 0;
   /// @}
+  /// How many given normals of a mesh automatic() takes for wrong, and not as data: those that differ from the tangent
+  /// planes, or from what the normals around them say, by far more than others do.
+  std::size_t wrong_normals = 0;
 };
 
 /// Whether noise is more than what of the surface may have been taken for it, by its standard error.
@@ -37,7 +42,10 @@ inline bool is_told_from_shape(double noise, double error) { return noise > 2 * 
 /// In a larger unit of length, of which one is so many of the present one.
 inline Noise in_larger_unit(const Noise& noise, double per_unit)
 {
-  return {noise.position / per_unit, noise.position_error / per_unit, noise.normal, noise.normal_error};
+  Noise result = noise;
+  result.position /= per_unit;
+  result.position_error /= per_unit;
+  return result;
 }
 
 } // namespace Jet_fitting

@@ -25,6 +25,7 @@
 #include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
 #include <CGAL/Jet_fitting_3/scale/jet_of_disk.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
+#include <CGAL/Jet_fitting_3/scale/sound_normals.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>
@@ -90,9 +91,9 @@ public:
   };
 
   template <class ConcurrencyTag, class Tables>
-  Learned_surface(ConcurrencyTag, const Tables& tables, const Normals_as_data& normals,
+  Learned_surface(ConcurrencyTag, const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
                   const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees), m_surface(tables, normals.are_data()), m_noise(noise(tables.points, options)),
+    : m_degrees(degrees), m_surface(tables, of_mesh, normals.are_data()), m_noise(noise(tables.points, options)),
       m_squares_of_noise(squares_of_noise()),
       m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
                degrees.highest, For_each_with_body<ConcurrencyTag>())
@@ -181,19 +182,28 @@ private:
                                                  const Options& options, const For_each& for_each)
   {
     if (!normals.given.empty()) m_noise.of_all.normal = std::numeric_limits<double>::infinity();
-    if (normals.are_data()) take_normals(tables, normals, options);
-    return m_surface.with_tangent_planes(m_squares_of_noise, for_each);
+    m_surface.take_tangent_planes(m_squares_of_noise, for_each);
+    if (normals.are_data()) take_normals(tables, normals, options, for_each);
+    return m_surface.surface();
   }
 
   // As data, unless they seem to follow from the faces.
-  template <class Tables>
-  void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options)
+  template <class Tables, class For_each>
+  void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options,
+                    const For_each& for_each)
   {
-    std::vector<Vector_3<double>> given = normals_of_nodes(tables, normals.given);
+    std::vector<Vector_3<double>> given =
+        averaging::on_side_of(m_surface.surface(), normals_of_nodes(tables, normals.given));
     Noise& noise = m_noise.of_all;
     if (!normals.of_faces.empty() &&
         averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces)))
       return;
+    const auto number_of_known = [&] {
+      return std::size_t(std::count_if(given.begin(), given.end(), [](const auto& n) { return dot(n, n) > 0; }));
+    };
+    const std::size_t before = number_of_known();
+    given = averaging::sound_normals(m_surface.surface(), std::move(given), for_each);
+    noise.wrong_normals = before - number_of_known();
     const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), given);
     noise.normal = options.normal_noise.value_or(estimated.value);
     noise.normal_error = options.normal_noise ? 0 : estimated.error;
@@ -207,8 +217,9 @@ private:
       const double beside = averaging::noise_beside_normals(m_surface.surface(), given);
       const double most = averaging::variance_in_units((std::max)(beside, height_over_slope * noise.normal), 1);
       for (double& square : m_squares_of_noise) square = (std::min)(square, most);
+      m_surface.take_tangent_planes(m_squares_of_noise, for_each); // which may be finer now
     }
-    m_surface.take_normals(std::move(given), noise.normal);
+    m_surface.take_normals(std::move(given), noise.normal, m_squares_of_noise);
   }
 
   Automatic_degrees m_degrees;
@@ -228,16 +239,18 @@ class Automatic_mesh_estimator
 
 public:
   /// \throw Invalid_input if the mesh is too small, or options are set that have no use here
+  /// \param of_mesh normals of the nodes, by the faces
   /// \param for_places more is learned, which forms at places that are no vertices need
   template <class ConcurrencyTag, class Tables>
-  Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Normals_as_data& normals,
-                           const Automatic_degrees& degrees, const Options& options, bool for_places)
+  Automatic_mesh_estimator(ConcurrencyTag tag, const Tables& tables, const Normal_table& of_mesh,
+                           const Normals_as_data& normals, const Automatic_degrees& degrees, const Options& options,
+                           bool for_places)
     : m_points(tables.points), m_adjacency(tables.adjacency), m_degrees(degrees)
   {
     check_options_for_automatic(options, m_points.per_length(), false);
     check_degree_for_automatic(degrees.highest);
     const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
-    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, normals,
+    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, of_mesh, normals,
                                                                 Automatic_degrees{learned, degrees.highest},
                                                                 with_least_noise(options));
     m_walker = std::make_shared<Walker>(m_learned->walker());

@@ -70,14 +70,15 @@ public:
   using Surface = averaging::Surface_points<Neighbors>;
   using Walker = averaging::Walker<Neighbors>;
 
+  /// \param of_mesh normals of the nodes, by the faces
   /// \param has_normals whether normals are data: then disks are round, however long edges are
   template <class Tables>
-  Unit_surface(const Tables& tables, bool has_normals)
+  Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals)
     : m_points(points(tables)), m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
     m_units = averaging::lengths_around(m_surface);
     m_normals =
-        averaging::smoothed(normals(tables), m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
+        averaging::smoothed(normals(of_mesh), m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
@@ -97,19 +98,11 @@ public:
     return result;
   }
 
-  /// Takes normals as data, one for each vertex. \param noise of them
-  void take_normals(std::vector<Vector_3<double>> normals, double noise)
-  {
-    m_given = {std::move(normals), {}, normal_factor(noise), noise, false};
-    m_surface.given = &m_given;
-  }
-
   /// Takes the normals from fits, which are more exact. They, which are those of the planes as well, and those that the
   /// fits begin with are averaged as noise asks for.
   /// \param squares_of_noise of each point, in squares of its unit
-  /// \return the surface with tangent planes
   template <class For_each>
-  const Surface& with_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
+  void take_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
   {
     std::vector<int> rounds;
     for (const double square : squares_of_noise) rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(square)));
@@ -119,12 +112,17 @@ public:
     m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds,
                                     averaging::least_cosine_of_smoothing(std::sqrt(scale::median(squares_of_noise))));
     for (std::size_t i = 0; i < m_planes.size(); ++i) m_planes[i].normal = m_normals[i];
-    if (m_surface.given) {
-      if (averaging::are_better(m_given, m_normals)) take_exact_places();
-      weigh_normals(squares_of_noise);
-    }
     m_surface.planes = &m_planes;
-    return m_surface;
+  }
+
+  /// Takes normals as data, one for each vertex, beside tangent planes.
+  /// \param noise of them \param squares_of_noise of the points, as for the planes
+  void take_normals(std::vector<Vector_3<double>> normals, double noise, const std::vector<double>& squares_of_noise)
+  {
+    m_given = {std::move(normals), {}, normal_factor(noise), noise, false};
+    if (averaging::are_better(m_given, m_normals)) take_exact_places();
+    weigh_normals(squares_of_noise);
+    m_surface.given = &m_given;
   }
 
 private:
@@ -168,11 +166,10 @@ private:
   }
 
   /// Of the mesh; unknown where an edge is so long that its faces alone have a say: those around tell more.
-  template <class Tables>
-  std::vector<Vector_3<double>> normals(const Tables& tables) const
+  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh) const
   {
     constexpr double far = 1000;
-    std::vector<Vector_3<double>> result = unit_vectors(tables.normals, m_points.size());
+    std::vector<Vector_3<double>> result = unit_vectors(of_mesh, m_points.size());
     for (std::size_t i = 0; i < result.size(); ++i)
       for (const std::size_t v : m_surface.neighbors(i)) {
         const Vector_3<double> edge = m_points[v] - m_points[i];

@@ -65,6 +65,10 @@ struct Mesh_tables
 template <class NamedParameters, class Tag>
 using Is_default_parameter = parameters::is_default_parameter<NamedParameters, Tag>;
 
+/// Whether a vertex_normal_map is.
+template <class NamedParameters>
+constexpr bool has_given_normals = !Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+
 /// The points by number. A map that the user gives is read by the calling thread only.
 template <class ConcurrencyTag, class Mesh, class NamedParameters, class Numbering>
 auto read_points(const Mesh& mesh, const NamedParameters& np, const Numbering& number, Vertex_order order)
@@ -87,7 +91,7 @@ template <class ConcurrencyTag, class Mesh, class NamedParameters, class Numberi
 Normal_table read_normals(const Mesh& mesh, const NamedParameters& np, const Numbering& number,
                           const Point_table<Kernel>& points)
 {
-  if constexpr (Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value) {
+  if constexpr (!has_given_normals<NamedParameters>) {
     return vertex_normals<ConcurrencyTag>(mesh, number, points);
   } else {
     const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
@@ -101,7 +105,7 @@ Normal_table read_normals(const Mesh& mesh, const NamedParameters& np, const Num
 template <class NamedParameters, class Numbering>
 Unit_normals read_unit_normals(const NamedParameters& np, const Numbering& number)
 {
-  if constexpr (!Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value) {
+  if constexpr (has_given_normals<NamedParameters>) {
     const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
     return Unit_normals(number.size(), [&](Index i) { return get(normal_map, number[i]); });
   }
@@ -146,16 +150,16 @@ Adjacency read_adjacency(const Mesh& mesh, const NamedParameters& np, const Numb
 }
 
 /// Gives the further sides of vertices normals: each side has that of its own faces, or the given one of the vertex.
-template <class NamedParameters, class Mesh, class Numbering, class Kernel>
+template <class Mesh, class Numbering, class Kernel>
 void add_normals_of_sides(const Mesh& mesh, const Numbering& number, const Point_table<Kernel>& points,
-                          const std::vector<Sharp_corner<Mesh>>& corners, const Adjacency& adjacency,
+                          const std::vector<Sharp_corner<Mesh>>& corners, const Adjacency& adjacency, bool are_given,
                           Normal_table& normals)
 {
   normals.resize(adjacency.number_of_nodes());
   for (Index node = Index(number.size()); node < adjacency.number_of_nodes(); ++node)
     normals.copy(adjacency.vertex(node), node);
-  if constexpr (Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value)
-    for (const auto& [node, area] : side_areas(mesh, number, points, corners)) normals.set(node, area.direction());
+  if (are_given) return;
+  for (const auto& [node, area] : side_areas(mesh, number, points, corners)) normals.set(node, area.direction());
 }
 
 /// Which tables to make beyond points and normals.
@@ -193,8 +197,21 @@ Mesh_tables<Mesh, NamedParameters> mesh_tables(const Mesh& mesh, const NamedPara
                             if (choice.adjacency)
                               adjacency = read_adjacency(mesh, np, *numbering, points, degrees, corners);
                           });
-  if (!corners.empty()) add_normals_of_sides<NamedParameters>(mesh, *numbering, points, corners, adjacency, normals);
+  if (!corners.empty())
+    add_normals_of_sides(mesh, *numbering, points, corners, adjacency, has_given_normals<NamedParameters>, normals);
   return {numbering, std::move(points), std::move(normals), std::move(adjacency), std::move(corners)};
+}
+
+/// The normals of the nodes by the faces alone, whatever is given.
+template <class ConcurrencyTag, class Mesh, class NamedParameters>
+Normal_table normals_of_mesh(const Mesh& mesh, const Mesh_tables<Mesh, NamedParameters>& tables)
+{
+  if (!has_given_normals<NamedParameters>) return tables.normals;
+  Normal_table normals = vertex_normals<ConcurrencyTag>(mesh, *tables.numbering, tables.points);
+  if (!tables.sharp_corners.empty())
+    add_normals_of_sides(mesh, *tables.numbering, tables.points, tables.sharp_corners, tables.adjacency, false,
+                         normals);
+  return normals;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

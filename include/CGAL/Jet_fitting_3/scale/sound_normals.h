@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_SOUND_NORMALS_H
+#define CGAL_JET_FITTING_3_SCALE_SOUND_NORMALS_H
+
+#include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// Given normals on the side of those of the surface: a plane is the same on both.
+template <class Neighbors>
+std::vector<Vector_3<double>> on_side_of(const Surface_points<Neighbors>& surface, std::vector<Vector_3<double>> given)
+{
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (dot(given[i], surface.normals[i]) < 0) given[i] = -1. * given[i];
+  return given;
+}
+
+/// Which of some differences are far larger than others: eight times that of half of all, and so many times that of
+/// half of those within two rings. Of neighbors the largest alone, since a wrong normal is in what is expected of those
+/// around it.
+/// \param differences of normals from what is expected, in radians; negative where nothing is known
+/// \param least smaller ones do not matter
+template <class Neighbors>
+std::vector<std::size_t> outstanding(const Surface_points<Neighbors>& surface, const std::vector<double>& differences,
+                                     double least, double than_nearby)
+{
+  constexpr double than_most = 8;
+  std::vector<double> known;
+  for (const double d : differences)
+    if (d >= 0) known.push_back(d);
+  std::vector<std::size_t> result, found, ends;
+  if (known.empty()) return result;
+  least = std::max(least, than_most * scale::median(std::move(known)));
+  Walker<Neighbors> walker(surface);
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (!(differences[i] > least)) continue;
+    walker.rings(i, 2, found, ends);
+    std::vector<double> nearby;
+    bool is_largest = true;
+    for (std::size_t k = 1; k < found.size(); ++k) {
+      const double other = differences[found[k]];
+      if (other >= 0) nearby.push_back(other);
+      is_largest = is_largest && (k >= ends[1] || other <= differences[i]);
+    }
+    if (is_largest && (nearby.empty() || differences[i] > than_nearby * scale::median(std::move(nearby))))
+      result.push_back(i);
+  }
+  return result;
+}
+
+/// By which angle each given normal differs from that of a fit of degree 4 to the slopes within two rings, or three
+/// where these have few vertices; negative where that is not known.
+template <class Neighbors, class For_each>
+std::vector<double> differences_from_slopes(const Surface_points<Neighbors>& surface,
+                                            const std::vector<Vector_3<double>>& given, const For_each& for_each)
+{
+  constexpr std::size_t enough = 14, degree = 4;
+  std::vector<double> result(given.size(), -1);
+  for_each(given.size(), [&] {
+    return [&, walker = Walker<Neighbors>(surface), found = std::vector<std::size_t>(),
+            ends = std::vector<std::size_t>()](std::size_t i) mutable {
+      const Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
+      if (!slope_of(frame.axes.in(given[i]))) return;
+      walker.rings(i, 3, found, ends);
+      const std::size_t count = ends[2] < enough ? ends[3] : ends[2];
+      std::vector<Vector_3<double>> places, normals;
+      for (std::size_t k = 0; k < count; ++k) {
+        const Vector_3<double> n = frame.axes.in(given[found[k]]);
+        if (!slope_of(n)) continue;
+        places.push_back(1 / surface.units[i] * frame.in(surface.points[found[k]]));
+        normals.push_back(n);
+      }
+      result[i] = Fit_to_slopes(std::move(places), std::move(normals), degree).difference_of_first().value_or(-1);
+    };
+  });
+  return result;
+}
+
+/// By which length each given normal differs from that of the surface; negative where it is not known.
+template <class Neighbors>
+std::vector<double> differences_from_surface(const Surface_points<Neighbors>& surface,
+                                             const std::vector<Vector_3<double>>& given)
+{
+  std::vector<double> result(given.size(), -1);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Vector_3<double> d = given[i] - surface.normals[i];
+    if (dot(given[i], given[i]) > 0) result[i] = std::sqrt(dot(d, d));
+  }
+  return result;
+}
+
+/// Given normals without those that are wrong, which become unknown. First those that differ grossly from normals of
+/// the surface, and would be in what is expected of others; then those that differ from what given normals around them
+/// say, which may be far more exact. Five rounds each at most: neighbors of a wrong one are judged without it.
+/// \param surface with normals of tangent planes
+/// \param given on the side of these
+/// \param for_each as for Surface_choice
+template <class Neighbors, class For_each>
+std::vector<Vector_3<double>> sound_normals(const Surface_points<Neighbors>& surface,
+                                            std::vector<Vector_3<double>> given, const For_each& for_each)
+{
+  constexpr int most_rounds = 5;
+  const auto forget = [&](const std::vector<std::size_t>& wrong) {
+    for (const std::size_t i : wrong) given[i] = {0, 0, 0};
+    return !wrong.empty();
+  };
+  for (int round = 0; round < most_rounds; ++round)
+    if (!forget(outstanding(surface, differences_from_surface(surface, given), 0.2, 10))) break;
+  for (int round = 0; round < most_rounds; ++round)
+    if (!forget(outstanding(surface, differences_from_slopes(surface, given, for_each), 0.002, 3))) break;
+  return given;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_SOUND_NORMALS_H
