@@ -7,7 +7,8 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_BIAS_MODEL_H
 #define CGAL_JET_FITTING_3_SCALE_BIAS_MODEL_H
 
-#include <CGAL/Jet_fitting_3/scale/Candidate.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Comparison.h>
 #include <CGAL/Jet_fitting_3/scale/least_risk.h>
 
 #include <algorithm>
@@ -21,106 +22,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// All candidates at one place, in the order of the grid, with those that do not exist.
-using Candidates = std::vector<Candidate>;
-
-/// Two candidates that are compared, by their numbers.
-struct Pair
-{
-  std::size_t first, second;
-};
-
-/// Radii and degrees, and which candidates are compared: the same degree two and four steps down, the next degree at
-/// the same radius and two steps down and up. Candidate i * radii.size() + j has degree i and radius j.
-struct Candidate_grid
-{
-  std::vector<double> radii;
-  std::vector<std::size_t> degrees;
-  std::vector<Pair> pairs;
-
-  std::size_t size() const { return degrees.size() * radii.size(); }
-  std::size_t shell(std::size_t candidate) const { return candidate % radii.size(); }
-  std::size_t degree(std::size_t candidate) const { return degrees[candidate / radii.size()]; }
-};
-
-inline Candidate_grid candidate_grid(std::vector<double> radii, std::vector<std::size_t> degrees)
-{
-  Candidate_grid grid{std::move(radii), std::move(degrees), {}};
-  const std::size_t n = grid.radii.size();
-  for (std::size_t i = 0; i < grid.degrees.size(); ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t own = i * n + j;
-      if (j >= 2) grid.pairs.push_back({own, own - 2});
-      if (j >= 4) grid.pairs.push_back({own, own - 4});
-      if (i + 1 == grid.degrees.size()) continue;
-      grid.pairs.push_back({own, own + n});
-      if (j >= 2) grid.pairs.push_back({own, own + n - 2});
-      if (j + 2 < n) grid.pairs.push_back({own, own + n + 2});
-    }
-  return grid;
-}
-
-/// What the difference of two candidates says.
-struct Comparison
-{
-  double excess = 0; ///< its square less the noise: its squared bias, but for chance
-  double noise = -1; ///< its variance; negative: one of both does not exist
-  double error = 0;  ///< of the excess, by chance: as large as the noise, or in a mean the standard error
-  Of_orders terms{}; ///< squared bias per variance of the terms of each order
-
-  bool exists() const { return noise >= 0; }
-};
-
-/// Of one candidate.
-struct Own_errors
-{
-  double variance = 0; ///< per square of the noise
-  Of_orders terms{};   ///< squared bias per variance of the terms of each order
-
-  Own_errors() = default;
-  Own_errors(const Candidate& c, const Target& target)
-  {
-    if (!c) return;
-    variance = covariance(c, c, target);
-    terms = error_products(c, c, target);
-  }
-};
-
-inline Comparison compare(const Candidate& a, const Candidate& b, const Own_errors& of_a, const Own_errors& of_b,
-                          const Target& target, double square_of_noise)
-{
-  Comparison result;
-  if (!a || !b) return result;
-  double square = 0, size = 0;
-  for (std::size_t i = target.first; i < target.last; ++i) {
-    square += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
-    size += a.values[i] * a.values[i];
-  }
-  const double sum = of_a.variance + of_b.variance - 2 * covariance(a, b, target);
-  const double variance = square_of_noise * std::max(0., sum);
-  result.excess = square - variance;
-  result.noise = result.error = std::max(variance, 1e-18 * size + 1e-200);
-  const Of_orders products = error_products(a, b, target);
-  for (std::size_t k = 0; k < products.size(); ++k) result.terms[k] = of_a.terms[k] + of_b.terms[k] - 2 * products[k];
-  return result;
-}
-
-using Comparisons = std::vector<Comparison>;
-
-inline Comparisons compare_all(const Candidates& candidates, const Candidate_grid& grid, const Target& target,
-                               double square_of_noise)
-{
-  std::vector<Own_errors> own;
-  own.reserve(candidates.size());
-  for (const Candidate& c : candidates) own.emplace_back(c, target);
-  Comparisons result;
-  result.reserve(grid.pairs.size());
-  for (const Pair& pair : grid.pairs)
-    result.push_back(compare(candidates[pair.first], candidates[pair.second], own[pair.first], own[pair.second], target,
-                             square_of_noise));
-  return result;
-}
 
 /// The bias of candidates: variances of the surface's terms, order by order, and for each candidate a lower bound of
 /// its squared bias.
@@ -136,38 +37,6 @@ inline double squared_bias(const Of_orders& terms, const Of_orders& per_variance
   double sum = 0;
   for (std::size_t k = 0; k < terms.size(); ++k) sum += terms[k] * per_variance[k];
   return sum;
-}
-
-/// What a patch says: the members' comparisons in the mean.
-inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
-                               double patch_radius, const Target& target)
-{
-  Comparisons means(grid.pairs.size());
-  std::vector<double> weights(means.size()), noises(means.size());
-  std::vector<std::size_t> counts(means.size());
-  for (const Comparisons* member : members)
-    for (std::size_t t = 0; t < means.size(); ++t) {
-      const Comparison& c = (*member)[t];
-      if (!c.exists()) continue;
-      const double w = 1 / (c.noise * c.noise);
-      weights[t] += w;
-      ++counts[t];
-      means[t].excess += w * c.excess;
-      noises[t] += w * c.noise;
-      for (std::size_t k = 0; k < c.terms.size(); ++k) means[t].terms[k] += w * c.terms[k];
-    }
-  for (std::size_t t = 0; t < means.size(); ++t) {
-    Comparison& mean = means[t];
-    if (counts[t] <= members.size() / 3) continue;
-    mean.excess /= weights[t];
-    mean.noise = noises[t] / weights[t];
-    for (double& term : mean.terms) term /= weights[t];
-    const double ratio = patch_radius / grid.radii[grid.shell(grid.pairs[t].first)];
-    const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
-    // the square of one normal variable varies more than that of three
-    mean.error = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
-  }
-  return means;
 }
 
 /// The first of a pair errs by their difference at least, less so many standard errors, if the second is no larger.

@@ -8,7 +8,8 @@
 #define CGAL_JET_FITTING_3_SCALE_DISK_FITTER_H
 
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/candidate_of_moments.h>
+#include <CGAL/Jet_fitting_3/scale/Walker.h>
 #include <CGAL/Jet_fitting_3/scale/whereabouts.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/Walker.h>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/scale/Bias_fit.h>
 #include <CGAL/Jet_fitting_3/scale/Disk_fitter.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order_estimate.h>
+#include <CGAL/Jet_fitting_3/scale/Spread.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 #include <CGAL/Jet_fitting_3/scale/whereabouts.h>
 
@@ -26,28 +27,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// Numbers with variances, and by how much they differ beyond these.
-class Spread
-{
-public:
-  void add(double value, double variance)
-  {
-    if (m_count == 0) m_first = value; // of which little may differ
-    const double w = 1 / variance, difference = value - m_first;
-    m_count += 1;
-    m_weights += w;
-    m_sum += w * difference;
-    m_squares += w * difference * difference;
-  }
-
-  double mean() const { return m_weights > 0 ? m_first + m_sum / m_weights : 0; }
-  /// The mean square of what they differ from their mean, less their variance, by weight.
-  double excess() const { return m_weights > 0 ? (m_squares - m_sum * m_sum / m_weights - m_count) / m_weights : 0; }
-
-private:
-  double m_first = 0, m_count = 0, m_weights = 0, m_sum = 0, m_squares = 0;
-};
 
 /// Chooses radii, degrees and shapes for derivatives of order 2 of one height. At places spread over the surface
 /// candidates are compared; patches of places say how their bias depends on degree and radius; each vertex averages its

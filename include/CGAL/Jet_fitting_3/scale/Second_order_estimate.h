@@ -10,8 +10,9 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/scale/Bias_model.h>
+#include <CGAL/Jet_fitting_3/scale/candidate_of_moments.h>
 #include <CGAL/Jet_fitting_3/scale/Candidate.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_JET_OF_DISK_H
 #define CGAL_JET_FITTING_3_SCALE_JET_OF_DISK_H
 
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
 #include <CGAL/Jet_fitting_3/values/Samples.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_NOISE_OF_SURFACE_H
 
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
 #include <CGAL/Jet_fitting_3/scale/whereabouts.h>

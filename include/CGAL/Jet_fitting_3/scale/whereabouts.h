@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_WHEREABOUTS_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_disk.h>
+#include <CGAL/Jet_fitting_3/scale/Surface_points.h>
 #include <CGAL/Jet_fitting_3/scale/nearest_places.h>
 
 #include <cstddef>

@@ -17,6 +17,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
+#include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 
 #include <algorithm>
 #include <cmath>
