@@ -21,9 +21,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-using numeric::moment_sums::Lanes;
-using numeric::moment_sums::lanes;
-
 /// Binomial coefficients of all orders: that of (order, j) is in the place of x^(order - j) y^j.
 struct Binomials
 {

@@ -22,6 +22,9 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+using numeric::moment_sums::Lanes;
+using numeric::moment_sums::lanes;
+
 /// The highest degree of a candidate.
 constexpr std::size_t highest_degree = 6;
 
@@ -45,8 +48,7 @@ struct Slope
 struct Moments
 {
   /// Sums of x^i y^j, and zeros, which packs read.
-  using Terms =
-      std::array<double, number_of_jet_coefficients(highest_degree + highest_order) + 2 * numeric::moment_sums::lanes>;
+  using Terms = std::array<double, number_of_jet_coefficients(highest_degree + highest_order) + 2 * lanes>;
 
   Terms terms{};                  ///< of all samples
   Coefficients heights{};         ///< of x^i y^j z, and what slopes add

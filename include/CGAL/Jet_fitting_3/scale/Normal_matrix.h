@@ -20,9 +20,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-using numeric::moment_sums::Lanes;
-using numeric::moment_sums::lanes;
-
 /// Cholesky factorization of normal equations whose columns are scaled to length 1. High orders come first: the
 /// coefficients of low orders, and how certain they are, follow from the end of the factor alone.
 class Normal_matrix

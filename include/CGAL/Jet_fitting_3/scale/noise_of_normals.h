@@ -96,8 +96,26 @@ private:
   std::optional<Coefficients> m_solution;
 };
 
-/// What fits to the slopes of normals leave to two rings and more: variance_of(fit).
+/// Of a degree to the first so many of the vertices, in a frame and per unit, without those whose normals tell no
+/// slopes.
 /// \param normals of length 1, one for each point; those that are unknown are 0
+template <class Neighbors>
+Fit_to_slopes fit_to_slopes(const Surface_points<Neighbors>& surface, const std::vector<Vector_3<double>>& normals,
+                            const Local_frame& frame, const std::vector<std::size_t>& vertices, std::size_t count,
+                            std::size_t degree, double unit)
+{
+  std::vector<Vector_3<double>> places, in_frame;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector_3<double> n = frame.axes.in(normals[vertices[k]]);
+    if (!slope_of(n)) continue;
+    places.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
+    in_frame.push_back(n);
+  }
+  return Fit_to_slopes(std::move(places), std::move(in_frame), degree);
+}
+
+/// What fits to the slopes of normals leave to two rings and more: variance_of(fit).
+/// \param normals as for fit_to_slopes()
 template <class Neighbors, class Variance_of>
 Size_of_noise noise_beside_slopes(const Surface_points<Neighbors>& surface,
                                   const std::vector<Vector_3<double>>& normals, const Variance_of& variance_of)
@@ -105,14 +123,7 @@ Size_of_noise noise_beside_slopes(const Surface_points<Neighbors>& surface,
   constexpr std::size_t first_ring = 2;
   const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
                             double unit) {
-    std::vector<Vector_3<double>> places, in_frame;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vector_3<double> n = frame.axes.in(normals[vertices[k]]);
-      if (!slope_of(n)) continue;
-      places.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
-      in_frame.push_back(n);
-    }
-    return variance_of(Fit_to_slopes(std::move(places), std::move(in_frame), degree));
+    return variance_of(fit_to_slopes(surface, normals, frame, vertices, count, degree, unit));
   };
   return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::least_rings, variance),
                          surface.points.size(), first_ring);

@@ -77,14 +77,9 @@ std::vector<double> differences_from_slopes(const Surface_points<Neighbors>& sur
       if (!slope_of(frame.axes.in(given[i]))) return;
       walker.rings(i, 3, found, ends);
       const std::size_t count = ends[2] < enough ? ends[3] : ends[2];
-      std::vector<Vector_3<double>> places, normals;
-      for (std::size_t k = 0; k < count; ++k) {
-        const Vector_3<double> n = frame.axes.in(given[found[k]]);
-        if (!slope_of(n)) continue;
-        places.push_back(1 / surface.units[i] * frame.in(surface.points[found[k]]));
-        normals.push_back(n);
-      }
-      result[i] = Fit_to_slopes(std::move(places), std::move(normals), degree).difference_of_first().value_or(-1);
+      result[i] = fit_to_slopes(surface, given, frame, found, count, degree, surface.units[i])
+                      .difference_of_first()
+                      .value_or(-1);
     };
   });
   return result;
@@ -103,26 +98,36 @@ std::vector<double> differences_from_surface(const Surface_points<Neighbors>& su
   return result;
 }
 
-/// Given normals without those that are wrong, which become unknown. First those that differ grossly from normals of
-/// the surface, and would be in what is expected of others; then those that differ from what given normals around them
-/// say, which may be far more exact. Five rounds each at most: neighbors of a wrong one are judged without it.
+/// Given normals, of which those that are wrong are unknown.
+struct Sound_normals
+{
+  std::vector<Vector_3<double>> normals;
+  std::size_t wrong = 0; ///< how many were
+};
+
+/// Forgets given normals that are wrong. First those that differ grossly from normals of the surface, and would be in
+/// what is expected of others; then those that differ from what given normals around them say, which may be far more
+/// exact. Five rounds each at most: neighbors of a wrong one are judged without it.
 /// \param surface with normals of tangent planes
 /// \param given on the side of these
 /// \param for_each as for Surface_choice
 template <class Neighbors, class For_each>
-std::vector<Vector_3<double>> sound_normals(const Surface_points<Neighbors>& surface,
-                                            std::vector<Vector_3<double>> given, const For_each& for_each)
+Sound_normals sound_normals(const Surface_points<Neighbors>& surface, std::vector<Vector_3<double>> given,
+                            const For_each& for_each)
 {
-  constexpr int most_rounds = 5;
-  const auto forget = [&](const std::vector<std::size_t>& wrong) {
-    for (const std::size_t i : wrong) given[i] = {0, 0, 0};
-    return !wrong.empty();
+  Sound_normals result{std::move(given)};
+  const auto forget = [&](const auto& differences, double least, double than_nearby) {
+    constexpr int most_rounds = 5;
+    for (int round = 0; round < most_rounds; ++round) {
+      const std::vector<std::size_t> wrong = outstanding(surface, differences(), least, than_nearby);
+      if (wrong.empty()) return;
+      for (const std::size_t i : wrong) result.normals[i] = {0, 0, 0};
+      result.wrong += wrong.size();
+    }
   };
-  for (int round = 0; round < most_rounds; ++round)
-    if (!forget(outstanding(surface, differences_from_surface(surface, given), 0.2, 10))) break;
-  for (int round = 0; round < most_rounds; ++round)
-    if (!forget(outstanding(surface, differences_from_slopes(surface, given, for_each), 0.002, 3))) break;
-  return given;
+  forget([&] { return differences_from_surface(surface, result.normals); }, 0.2, 10);
+  forget([&] { return differences_from_slopes(surface, result.normals, for_each); }, 0.002, 3);
+  return result;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -198,13 +198,9 @@ private:
     if (!normals.of_faces.empty() &&
         averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces)))
       return;
-    const auto number_of_known = [&] {
-      return std::size_t(std::count_if(given.begin(), given.end(), [](const auto& n) { return dot(n, n) > 0; }));
-    };
-    const std::size_t before = number_of_known();
-    given = averaging::sound_normals(m_surface.surface(), std::move(given), for_each);
-    noise.wrong_normals = before - number_of_known();
-    const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), given);
+    averaging::Sound_normals sound = averaging::sound_normals(m_surface.surface(), std::move(given), for_each);
+    noise.wrong_normals = sound.wrong;
+    const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), sound.normals);
     noise.normal = options.normal_noise.value_or(estimated.value);
     noise.normal_error = options.normal_noise ? 0 : estimated.error;
     if (!std::isfinite(noise.normal))
@@ -214,12 +210,12 @@ private:
     // Points whose noise cannot be told from what fits leave without any: with slopes these leave less
     constexpr double height_over_slope = 0.25;
     if (noise.position <= noise.position_error) {
-      const double beside = averaging::noise_beside_normals(m_surface.surface(), given);
+      const double beside = averaging::noise_beside_normals(m_surface.surface(), sound.normals);
       const double most = averaging::variance_in_units((std::max)(beside, height_over_slope * noise.normal), 1);
       for (double& square : m_squares_of_noise) square = (std::min)(square, most);
       m_surface.take_tangent_planes(m_squares_of_noise, for_each); // which may be finer now
     }
-    m_surface.take_normals(std::move(given), noise.normal, m_squares_of_noise);
+    m_surface.take_normals(std::move(sound.normals), noise.normal, m_squares_of_noise);
   }
 
   Automatic_degrees m_degrees;

@@ -34,7 +34,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 template <class Mesh, class Neighborhood, class NamedParameters>
 class Mesh_estimation
 {
-  static constexpr bool has_normals = !Is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  static constexpr bool has_normals = has_given_normals<NamedParameters>;
 
 public:
   using Tables = Mesh_tables<Mesh, NamedParameters>;
