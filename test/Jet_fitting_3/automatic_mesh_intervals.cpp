@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/prepared/Vertex_estimator.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -102,10 +103,79 @@ Intervals intervals(const Analytic_mesh& exact, double noise)
   return result;
 }
 
+// A quarter of a cylinder between two planes, cut along both seams: strips along the axis, whose vertices are moved a
+// little along the surface.
+struct Fillet
+{
+  static constexpr int in_plane = 8, along = 20;
+  static constexpr double radius = 0.2;
+
+  Fillet(int strips, unsigned seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> part(-.3, .3);
+    const int columns = in_plane + strips + in_plane + 1;
+    const double pi = std::acos(-1.);
+    for (int row = 0; row <= along; ++row)
+      for (int column = 0; column < columns; ++column) {
+        const int strip = column - in_plane;
+        const bool is_inside = 0 < strip && strip < strips;
+        const double angle = pi / 2 * (std::clamp(strip, 0, strips) + (is_inside ? part(random) : 0)) / strips,
+                     y = 2. * row / along + (is_inside ? .1 * part(random) : 0),
+                     before = std::min(strip, 0) / double(in_plane),
+                     after = std::max(strip - strips, 0) / double(in_plane);
+        const Vertex v =
+            mesh.add_vertex({radius * std::sin(angle) + before, y, radius * (std::cos(angle) - 1) - after});
+        if (is_inside && 1 < row && row < along - 1) vertices.push_back(v);
+      }
+    is_seam = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+    const auto vertex = [&](int row, int column) { return Vertex(Mesh::size_type(row * columns + column)); };
+    for (int row = 0; row < along; ++row)
+      for (int column = 0; column + 1 < columns; ++column) {
+        mesh.add_face(vertex(row, column), vertex(row, column + 1), vertex(row + 1, column + 1));
+        mesh.add_face(vertex(row, column), vertex(row + 1, column + 1), vertex(row + 1, column));
+      }
+    for (int row = 0; row < along; ++row)
+      for (const int column : {in_plane, in_plane + strips})
+        is_seam[mesh.edge(mesh.halfedge(vertex(row, column), vertex(row + 1, column)))] = true;
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_seam;
+  std::vector<Vertex> vertices; // between the seams
+};
+
+// The planes, whose fits are exact, say nothing of the cylinder's.
+void fillets()
+{
+  double sum = 0, count = 0, far = 0;
+  for (const int strips : {6, 8})
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      Fillet fillet(strips, seed);
+      auto forms = fillet.mesh.add_property_map<Vertex, Form>("v:form").first;
+      const auto summary =
+          CGAL::estimate_vertex_monge_forms(fillet.mesh, jets::automatic(), forms,
+                                            CGAL::parameters::degree_monge(2).edge_is_constrained_map(fillet.is_seam));
+      for (const Vertex v : fillet.vertices) {
+        const double k = 1 / Fillet::radius, k1 = std::abs(forms[v].principal_curvatures(0)),
+                     k2 = std::abs(forms[v].principal_curvatures(1)), error = std::abs(std::max(k1, k2) - k),
+                     claimed = summary.quality(v).scale.curvature_errors[k1 > k2 ? 0 : 1];
+        sum += error * error / (k * k);
+        far += error > 10 * claimed;
+        ++count;
+      }
+    }
+  std::cout << "fillets: relative error " << std::sqrt(sum / count) << ", beyond 10 times what is claimed "
+            << far / count << std::endl;
+  check_le(std::sqrt(sum / count), 0.0125, "fillets between planes: error of the curvature, relative");
+  check_le(far / count, 0.2, "fillets between planes: part whose error is 10 times what is claimed");
+}
+
 } // namespace
 
 int main()
 {
+  fillets();
   int cases = 0, good = 0;
   const std::vector<Analytic_mesh> all = surfaces();
   for (const Analytic_mesh& exact : all)

@@ -81,18 +81,24 @@ inline Comparisons compare_all(const Candidates& candidates, const Candidate_gri
   return result;
 }
 
-/// What a patch says: the members' comparisons in the mean.
+/// What a patch says: the members' comparisons in the mean. Exact ones, of planes without noise, must not be the only
+/// ones that count: none is taken for much more certain than they are in the mean.
 inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
                                double patch_radius, const Target& target)
 {
   Comparisons means(grid.pairs.size());
   std::vector<double> weights(means.size()), noises(means.size());
   std::vector<std::size_t> counts(means.size());
+  constexpr double least_part = 0.001;
+  std::vector<double> least(means.size()); // noise
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < means.size(); ++t)
+      if ((*member)[t].exists()) least[t] += least_part / double(members.size()) * (*member)[t].noise;
   for (const Comparisons* member : members)
     for (std::size_t t = 0; t < means.size(); ++t) {
       const Comparison& c = (*member)[t];
       if (!c.exists()) continue;
-      const double w = 1 / (c.noise * c.noise);
+      const double noise = std::max(c.noise, least[t]), w = 1 / (noise * noise);
       weights[t] += w;
       ++counts[t];
       means[t].excess += w * c.excess;

@@ -220,7 +220,7 @@ public:
 
   Worker worker() const { return Worker(m_surface); }
   std::size_t order() const { return m_order; }
-  Whereabouts place(Vertex i) const { return whereabouts_anywhere(m_surface, i); }
+  Whereabouts place(Vertex i) const { return whereabouts_on_component(m_surface, i); }
   double square_of_noise(Vertex i) const { return m_squares_of_noise[i]; }
   /// Those of the fits.
   Basis_3<double> axes(Vertex i, const Basis_3<double>& axes) const { return round_axes(m_surface, i, axes); }

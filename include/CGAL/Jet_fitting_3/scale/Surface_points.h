@@ -71,10 +71,11 @@ struct Surface_points
   const std::vector<Vector_3<double>>& points;
   const std::vector<Vector_3<double>>& normals; ///< of length 1, smooth enough to tell where the surface turns
   Neighbors neighbors;
-  const std::vector<double>& units;                   ///< at all points, of radii: the length of the edges around
-  const std::vector<Tangent_plane>* planes = nullptr; ///< at all points, if they are known
-  const std::vector<Stretch>* stretches = nullptr;    ///< at all points; null: edges are as long in all directions
-  const Given_normals* given = nullptr;               ///< if they are data
+  const std::vector<double>& units;                     ///< at all points, of radii: the length of the edges around
+  const std::vector<Tangent_plane>* planes = nullptr;   ///< at all points, if they are known
+  const std::vector<Stretch>* stretches = nullptr;      ///< at all points; null: edges are as long in all directions
+  const Given_normals* given = nullptr;                 ///< if they are data
+  const std::vector<std::size_t>* components = nullptr; ///< see connected_components(); null: there is one
 
   double stretch(std::size_t i) const { return stretches ? (*stretches)[i].ratio : 1; }
 };

@@ -23,16 +23,21 @@ namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// Where a vertex is, and the unit of radii there. Those at a border are as far from others as if they were beside the
-/// surface: their errors are of another kind.
+/// surface: their errors are of another kind. So are those of other surfaces, in a mesh of several, or beyond a sharp
+/// edge.
 struct Whereabouts
 {
   Vector_3<double> point;
   double unit;
-  double beside = 0;  ///< a length
-  double stretch = 1; ///< of the edges
+  double beside = 0;         ///< a length
+  double stretch = 1;        ///< of the edges
+  std::size_t component = 0; ///< of the surface
 };
 
 inline double squared_distance(const Vector_3<double>& a, const Vector_3<double>& b) { return dot(a - b, a - b); }
+
+/// In units: patches are about ten wide.
+constexpr double apart = 16;
 
 /// How far places are from each other. Those whose units or stretches differ by more than a factor say nothing of each
 /// other, and are farther than all others.
@@ -49,6 +54,7 @@ struct Distance_of_places
     if (!(ratio <= most)) unlike = ratio;
     const double beside = a.beside - b.beside;
     square = (squared_distance(a.point, b.point) + beside * beside) / (a.unit * b.unit);
+    if (a.component != b.component) square += apart * apart;
   }
 
   friend bool operator<(const Distance_of_places& a, const Distance_of_places& b)

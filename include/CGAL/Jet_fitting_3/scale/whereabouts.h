@@ -18,19 +18,27 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Of a vertex, whether at a border or not.
+/// Of a vertex, whether at a border or not, on whatever surface: noise may be the same.
 template <class Neighbors>
 Whereabouts whereabouts_anywhere(const Surface_points<Neighbors>& surface, std::size_t i)
 {
   return {surface.points[i], surface.units[i], 0, surface.stretch(i)};
 }
 
+/// Of a vertex, whether at a border or not.
+template <class Neighbors>
+Whereabouts whereabouts_on_component(const Surface_points<Neighbors>& surface, std::size_t i)
+{
+  Whereabouts result = whereabouts_anywhere(surface, i);
+  if (surface.components) result.component = (*surface.components)[i];
+  return result;
+}
+
 /// Of a vertex. Borders are known by the tangent planes.
 template <class Neighbors>
 Whereabouts whereabouts(const Surface_points<Neighbors>& surface, std::size_t i)
 {
-  constexpr double apart = 16; // patches are about ten units wide
-  Whereabouts result = whereabouts_anywhere(surface, i);
+  Whereabouts result = whereabouts_on_component(surface, i);
   if (surface.planes) result.beside = apart * result.unit * (*surface.planes)[i].lean;
   return result;
 }

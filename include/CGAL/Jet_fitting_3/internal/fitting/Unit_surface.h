@@ -16,6 +16,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
+#include <CGAL/Jet_fitting_3/scale/connected_components.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 
@@ -78,6 +79,8 @@ public:
     : m_points(points(tables)), m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
     m_units = averaging::lengths_around(m_surface);
+    m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
+    m_surface.components = &m_components;
     m_normals =
         averaging::smoothed(normals(of_mesh), m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
@@ -182,6 +185,7 @@ private:
   std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
+  std::vector<std::size_t> m_components;
   std::vector<averaging::Stretch> m_stretches;
   averaging::Given_normals m_given;
   Surface m_surface;
