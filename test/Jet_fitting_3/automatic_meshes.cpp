@@ -605,6 +605,43 @@ void sides()
   check_le(by_form, 4, "forms on the wrong side");
 }
 
+// With Loss::tukey outliers are left out: what remains is estimated as if they were not there. They have no form.
+void outliers()
+{
+  const Analytic_mesh exact = torus(2, 1, 100, 40);
+  Noisy_mesh without(exact, 0.003);
+  jets::Options options;
+  options.loss = jets::Loss::tukey;
+  const auto of_clean = without.estimate(jets::automatic(), 6, options);
+  check_equal(of_clean.estimated, without.mesh.number_of_vertices(), "noise alone makes no outliers");
+  for (const double size : {0.1, 0.3, 1.}) {
+    Noisy_mesh noisy(exact, 0.003);
+    std::mt19937 random(17);
+    std::normal_distribution<double> normal(0, size);
+    std::vector<Vertex> displaced, others;
+    for (const Vertex v : noisy.mesh.vertices())
+      if (random() % 20 == 0) {
+        displaced.push_back(v);
+        noisy.mesh.point(v) += Kernel::Vector_3(normal(random), normal(random), normal(random));
+      } else {
+        others.push_back(v);
+      }
+    const std::string name = "5 % displaced by " + text(size);
+    noisy.estimate(jets::automatic(), 6);
+    check_ge(noisy.rms_error(others), 3 * without.rms_error(), name + ": error if they are data");
+    const auto summary = noisy.estimate(jets::automatic(), 6, options);
+    int found = 0, wrong = 0;
+    for (const Vertex v : displaced) found += summary.status(v).has(jets::Status_flag::outlier);
+    for (const Vertex v : others) wrong += summary.status(v).has(jets::Status_flag::outlier);
+    check_ge(double(found), 0.8 * double(displaced.size()), name + ": found, some of which are near the surface");
+    check_le(double(wrong), 0.001 * double(others.size()), name + ": others taken for outliers");
+    check_equal(summary.estimated, noisy.mesh.number_of_vertices() - std::size_t(found + wrong),
+                name + ": others have forms");
+    check_le(noisy.rms_error(others), 1.25 * without.rms_error(), name + ": error without them");
+    check_le(summary.noise.position, 1.1 * of_clean.noise.position, name + ": noise without them");
+  }
+}
+
 void misuse()
 {
   Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
@@ -655,6 +692,7 @@ int main()
   bad_vertices();
   far_vertex();
   debris();
+  outliers();
   misuse();
   return result();
 }

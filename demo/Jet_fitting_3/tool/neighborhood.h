@@ -70,8 +70,7 @@ inline std::string why_not_automatic(const Arguments& a, std::size_t size)
   using namespace CGAL::Jet_fitting;
   if (a.of_points && a.degree_monge > 2) return "the order of the Monge form is above 2";
   if (a.degree_monge < 2) return "no curvatures are estimated";
-  if (a.options.loss != Loss::least_squares && !(a.of_points && a.options.loss == Loss::tukey))
-    return "--robust is set";
+  if (a.options.loss != Loss::least_squares && a.options.loss != Loss::tukey) return "--robust is set";
   if (a.options.weights_by_distance()) return "--weights is set";
   if (a.options.standard_errors) return "--errors is set";
   const std::size_t most = a.of_points ? most_points_for_automatic : most_vertices_for_automatic;

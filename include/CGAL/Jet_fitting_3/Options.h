@@ -53,8 +53,8 @@ struct Fit_options
   /// and point sets takes them from a property map.
   std::vector<double> point_weights;
 
-  /// A robust loss needs about 5 N_d samples to tell outliers from the surface. With automatic(), on point sets, tukey
-  /// leaves out outliers first.
+  /// A robust loss needs about 5 N_d samples to tell outliers from the surface. With automatic() tukey leaves out
+  /// outliers first.
   Loss loss = Loss::least_squares;
 
   /// Estimate the standard errors of the normal and of every Monge coefficient: steps 3 and 4 are run once more for

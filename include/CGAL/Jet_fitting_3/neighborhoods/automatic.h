@@ -45,10 +45,10 @@ namespace Jet_fitting {
 /// errors that contain the bias, of the curvatures and of the third order coefficients b0 and b3; but nothing of one
 /// fit, of which there are several. Nor is a status one_sided or pca_ambiguous set. Weights, robust losses and standard
 /// errors are refused, but for one: with Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest
-/// leaves no weight, or whose normal is as far from that fit with use_normals, are outliers (Status_flag::outlier):
-/// nobody's neighbors. With use_normals points of a set that lie no farther inside a border than noise moves points are
-/// nobody's neighbors either, if their normals are seen to be turned outwards, as where the noise of normals goes with
-/// that of positions.
+/// leaves no weight, or whose normal is as far from that fit with use_normals, and vertices of a mesh that are far from
+/// the surface of their neighbors while others around are not, are outliers (Status_flag::outlier): nobody's neighbors.
+/// With use_normals points of a set that lie no farther inside a border than noise moves points are nobody's neighbors
+/// either, if their normals are seen to be turned outwards, as where the noise of normals goes with that of positions.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_SURFACE_CHOICE_H
 #define CGAL_JET_FITTING_3_SCALE_SURFACE_CHOICE_H
 
+#include <CGAL/Jet_fitting_3/scale/One_after_the_other.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order_choice.h>
 
 #include <algorithm>
@@ -19,17 +20,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// A for_each of one thread.
-struct One_after_the_other
-{
-  template <class Make_body>
-  void operator()(std::size_t count, const Make_body& make_body) const
-  {
-    auto body = make_body();
-    for (std::size_t k = 0; k < count; ++k) body(k);
-  }
-};
 
 /// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
 inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }

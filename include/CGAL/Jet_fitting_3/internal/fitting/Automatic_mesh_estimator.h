@@ -93,8 +93,9 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
                   const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees), m_surface(tables, of_mesh, normals.are_data()), m_noise(noise(tables.points, options)),
-      m_squares_of_noise(squares_of_noise()),
+    : m_degrees(degrees),
+      m_surface(tables, of_mesh, normals.are_data(), options.loss == Loss::tukey, For_each_with_body<ConcurrencyTag>()),
+      m_noise(noise(tables.points, options)), m_squares_of_noise(squares_of_noise()),
       m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
                degrees.highest, For_each_with_body<ConcurrencyTag>())
   {
@@ -108,6 +109,7 @@ public:
 
   Walker walker() const { return Walker(m_surface.surface()); }
   Normal_table sides() const { return m_surface.sides(); }
+  bool is_outlier(Index node) const { return m_surface.is_outlier(node); }
   /// In units.
   const Noise& noise() const { return m_noise.of_all; }
 
@@ -243,7 +245,7 @@ public:
                            bool for_places)
     : m_points(tables.points), m_adjacency(tables.adjacency), m_degrees(degrees)
   {
-    check_options_for_automatic(options, m_points.per_length(), false);
+    check_options_for_automatic(options, m_points.per_length());
     check_degree_for_automatic(degrees.highest);
     const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
     m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, of_mesh, normals,
@@ -301,6 +303,10 @@ private:
     result = {};
     if (!m_points.is_finite(i)) {
       result.status = Status_flag::not_finite;
+      return;
+    }
+    if (m_learned->is_outlier(node)) {
+      result.status = Status_flag::outlier;
       return;
     }
     const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, dprime, m_solver);

@@ -107,7 +107,7 @@ public:
                             const Automatic_degrees& degrees, const Options& options)
     : m_points(tables.points), m_degrees(degrees)
   {
-    check_options_for_automatic(options, m_points.per_length(), true);
+    check_options_for_automatic(options, m_points.per_length());
     check_degree_for_automatic(degrees.highest);
     m_learned = std::make_shared<const Learned_scale<Kernel>>(tag, tables, normals, degrees, options);
   }

@@ -10,12 +10,15 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/outliers.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
+#include <CGAL/Jet_fitting_3/scale/One_after_the_other.h>
 #include <CGAL/Jet_fitting_3/scale/connected_components.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
@@ -74,15 +77,19 @@ public:
 
   /// \param of_mesh normals of the nodes, by the faces
   /// \param has_normals whether normals are data: then disks are round, however long edges are
-  template <class Tables>
-  Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals)
+  /// \param finds_outliers whether outliers are left out: they have no edges
+  /// \param for_each as for Surface_choice
+  template <class Tables, class For_each = averaging::One_after_the_other>
+  Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals, bool finds_outliers = false,
+               const For_each& for_each = For_each())
     : m_points(points(tables)), m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
   {
+    if (finds_outliers) leave_out_outliers(tables.adjacency, for_each);
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
-    m_normals =
-        averaging::smoothed(normals(of_mesh), m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
+    m_normals = averaging::smoothed(normals(of_mesh, tables.adjacency), m_surface.neighbors,
+                                    std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
@@ -93,6 +100,7 @@ public:
   Unit_surface& operator=(const Unit_surface&) = delete;
 
   const Surface& surface() const { return m_surface; }
+  bool is_outlier(std::size_t node) const { return !m_outliers.empty() && m_outliers[node]; }
 
   /// On which side each vertex is seen from outside, by the normals around it.
   Normal_table sides() const
@@ -130,6 +138,24 @@ public:
   }
 
 private:
+  template <class For_each>
+  void leave_out_outliers(const Adjacency& adjacency, const For_each& for_each)
+  {
+    constexpr int most_rounds = 10; // neighbors of an outlier are judged without it
+    m_outliers.assign(m_points.size(), 0);
+    for (int round = 0; round < most_rounds; ++round) {
+      std::vector<char> found = outlying_vertices(m_surface, for_each);
+      if (found == m_outliers) break;
+      m_outliers = std::move(found);
+      m_without_outliers = adjacency.filtered([&](Index, Index neighbor) { return !m_outliers[neighbor]; });
+      m_surface.neighbors = Neighbors{&m_without_outliers};
+    }
+    check_outliers_are_few(m_outliers, "vertices");
+    m_without_outliers =
+        adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; });
+    m_surface.neighbors = Neighbors{&m_without_outliers};
+  }
+
   // The given normals, and points themselves as origins: those of planes are as far beside the surface as fits from
   // positions alone err, and potentials would not have the slopes that the normals tell.
   void take_exact_places()
@@ -169,19 +195,22 @@ private:
     return result;
   }
 
-  /// Of the mesh; unknown where an edge is so long that its faces alone have a say: those around tell more.
-  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh) const
+  /// Of the mesh; unknown where an edge is so long that its faces alone have a say, and around outliers: those around
+  /// tell more.
+  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency) const
   {
     constexpr double far = 1000;
     std::vector<Vector_3<double>> result = unit_vectors(of_mesh, m_points.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      for (const std::size_t v : m_surface.neighbors(i)) {
+    for (Index i = 0; i < result.size(); ++i)
+      for (const Index v : adjacency[i]) {
         const Vector_3<double> edge = m_points[v] - m_points[i];
-        if (std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
+        if (is_outlier(v) || std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
       }
     return result;
   }
 
+  std::vector<char> m_outliers; // flags, if they are left out
+  Adjacency m_without_outliers;
   std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;

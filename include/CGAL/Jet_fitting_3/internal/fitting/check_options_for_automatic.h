@@ -21,14 +21,13 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \throw Invalid_input if options are set that automatic() has no use for
 /// \param per_length the factor to a unit that no point is farther away from others than
-/// \param finds_outliers whether it may leave out points that are far from the surface
-inline void check_options_for_automatic(const Options& options, double per_length, bool finds_outliers)
+inline void check_options_for_automatic(const Options& options, double per_length)
 {
   if (options.weights_by_distance() || !options.point_weights.empty())
     throw Invalid_input("automatic() chooses among plain least squares fits: no weights");
-  if (options.loss != Loss::least_squares && !(finds_outliers && options.loss == Loss::tukey))
-    throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss but, on point sets, "
-                        "Loss::tukey, which leaves out outliers first");
+  if (options.loss != Loss::least_squares && options.loss != Loss::tukey)
+    throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss but Loss::tukey, which "
+                        "leaves out outliers first");
   if (options.standard_errors)
     throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
   if (options.use_normals) check_noise_with_normals(options);

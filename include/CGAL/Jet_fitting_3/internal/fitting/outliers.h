@@ -83,6 +83,17 @@ bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size
   return is_first_outlier(samples, normals, radius, solver);
 }
 
+/// \throw Invalid_input if outliers are more than half
+/// \param is_outlier one flag for each of what
+inline void check_outliers_are_few(const std::vector<char>& is_outlier, const std::string& what)
+{
+  const std::size_t count = std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));
+  if (2 * count > is_outlier.size())
+    throw Invalid_input("automatic() with Loss::tukey: " + std::to_string(count) + " of " +
+                        std::to_string(is_outlier.size()) + " " + what +
+                        " are far from the surface of their neighbors, too many to be outliers");
+}
+
 /// Which points a robust fit to the least_neighbors nearest leaves no weight: one flag each. Of 3000 points of a torus
 /// without outliers, up to 3.
 /// \param within, for_each see Automatic_scale
@@ -99,10 +110,7 @@ std::vector<char> outliers(const scale::Cloud& cloud, const Within& within, cons
     Orthogonal_solver<double> solver;
     result[i] = (cloud.outliers && cloud.outliers[i]) || is_outlier(cloud, near, i, radii[i], solver);
   });
-  const std::size_t count = std::size_t(std::count(result.begin(), result.end(), char(1)));
-  if (2 * count > cloud.size)
-    throw Invalid_input("automatic() with Loss::tukey: " + std::to_string(count) + " of " + std::to_string(cloud.size) +
-                        " points are far from the surface of their neighbors, too many to be outliers");
+  check_outliers_are_few(result, "points");
   return result;
 }
 

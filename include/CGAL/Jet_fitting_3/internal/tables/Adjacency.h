@@ -83,6 +83,23 @@ public:
     return {m_neighbors.data() + m_row_begins[node], m_neighbors.data() + m_row_begins[node + 1]};
   }
 
+  /// Some of its edges, from one of their ends or both.
+  /// \param keeps whether keeps(node, neighbor) is among the neighbors of the node
+  template <class Keeps>
+  Adjacency filtered(const Keeps& keeps) const
+  {
+    Adjacency result;
+    result.m_vertices = m_vertices;
+    result.m_owners = m_owners;
+    result.m_row_begins.assign(1, 0);
+    for (Index node = 0; node < number_of_nodes(); ++node) {
+      for (const Index neighbor : (*this)[node])
+        if (keeps(node, neighbor)) result.m_neighbors.push_back(neighbor);
+      result.m_row_begins.push_back(Index(result.m_neighbors.size()));
+    }
+    return result;
+  }
+
 private:
   std::size_t m_vertices = 0;
   std::vector<Index> m_owners;
