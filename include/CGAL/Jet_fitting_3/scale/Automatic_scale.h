@@ -240,7 +240,7 @@ private:
       if (k % sparse > 0) fit(k);
     });
     find_nearest(sample, close);
-    learn_choices(patches, leans_of(sample, ladders, ends, for_each), ladders, ends, for_each);
+    learn_choices(patches, off_centers_of(sample, ladders, ends, for_each), ladders, ends, for_each);
   }
 
   void make_ladders(const Indices& sample, const std::vector<int>& levels, const Density& density, bool knows_noise)
@@ -264,30 +264,31 @@ private:
   }
 
   template <class For_each>
-  std::vector<double> leans_of(const Indices& sample, const std::vector<Local_ladder>& ladders,
-                               const std::vector<std::size_t>& ends, const For_each& for_each) const
+  std::vector<double> off_centers_of(const Indices& sample, const std::vector<Local_ladder>& ladders,
+                                     const std::vector<std::size_t>& ends, const For_each& for_each) const
   {
-    std::vector<double> leans(sample.size());
+    std::vector<double> off_centers(sample.size());
     for_each(sample.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
       const std::size_t rungs = std::min(ladder.axes + 1, ends[k]);
       Indices near;
       m_within(sample[k], reach(m_cloud, ladder, rungs), near);
-      leans[k] = lean(m_cloud, near, ladders[k].frame, ladder.radii[rungs - 1]);
+      off_centers[k] = off_center(m_cloud, near, ladders[k].frame, ladder.radii[rungs - 1]);
     });
-    return leans;
+    return off_centers;
   }
 
   template <class For_each>
-  void learn_choices(const Patches& patches, const std::vector<double>& leans, const std::vector<Local_ladder>& ladders,
-                     const std::vector<std::size_t>& ends, const For_each& for_each)
+  void learn_choices(const Patches& patches, const std::vector<double>& off_centers,
+                     const std::vector<Local_ladder>& ladders, const std::vector<std::size_t>& ends,
+                     const For_each& for_each)
   {
     m_tables.resize(ends.size());
     m_chosen.resize(ends.size());
     m_wanted.resize(ends.size());
     for_each(ends.size(), [&](std::size_t k) {
       const Ladder& ladder = m_ladders[m_levels[k]];
-      m_tables[k] = bias_table(patch_with_leans(patches[k], ladders, leans, leans[k]), ladder, ends[k]);
+      m_tables[k] = bias_table(patch_by_likeness(patches[k], ladders, off_centers, off_centers[k]), ladder, ends[k]);
       const Point_scale scale = choose(ladders[k], m_tables[k], ladder);
       m_chosen[k] = chosen_nearby(scale, ladders[k]);
       if (ends[k] < ladder.radii.size()) m_chosen[k].factor = 8; // misfit is most of the noise, and that is by chance
@@ -320,19 +321,20 @@ private:
     return patches;
   }
 
-  // Each member weighs what it tells of a place with this lean; all weigh more where these are too few.
-  static Patch_statistics::Patch patch_with_leans(const std::vector<std::uint32_t>& members,
-                                                  const std::vector<Local_ladder>& ladders,
-                                                  const std::vector<double>& leans, double lean)
+  // Each member weighs what it tells of a place that is as far beside the middle of its samples; all weigh more where
+  // these are too few.
+  static Patch_statistics::Patch patch_by_likeness(const std::vector<std::uint32_t>& members,
+                                                   const std::vector<Local_ladder>& ladders,
+                                                   const std::vector<double>& off_centers, double off_center)
   {
     constexpr double fewest = 20;
     Patch_statistics::Patch patch;
     double weights = 0;
-    for (double width = constant::lean; weights < fewest && width < 1; width *= 1.5) {
+    for (double width = constant::like_off_center; weights < fewest && width < 1; width *= 1.5) {
       patch.clear();
       weights = 0;
       for (const std::uint32_t member : members) {
-        patch.push_back({&ladders[member], likeness(leans[member] - lean, width)});
+        patch.push_back({&ladders[member], likeness(off_centers[member] - off_center, width)});
         weights += patch.back().weight;
       }
     }

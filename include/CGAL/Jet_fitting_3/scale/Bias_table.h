@@ -35,8 +35,8 @@ constexpr double bias_factor = 40;      ///< of a squared bias in an interval: i
 constexpr double hidden = 0.25;         ///< what a bias may add to the variance in an interval, without evidence
 constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
 constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
-constexpr double lean = 0.1;    ///< difference of leans from which on places tell little of each other
-constexpr double flat_risk = 4; ///< by how much heights have to be better than round heights: not by chance
+constexpr double like_off_center = 0.1; ///< difference from which on places tell little of each other
+constexpr double flat_risk = 4;         ///< by how much heights have to be better than round heights: not by chance
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -103,7 +103,7 @@ struct Estimated
 };
 
 /// How much places tell of each other: where the surface ends fits are one-sided, and err by more than elsewhere.
-/// \param difference of their leans
+/// \param difference of off_center() of both
 inline double likeness(double difference, double width)
 {
   const double d = difference / width;

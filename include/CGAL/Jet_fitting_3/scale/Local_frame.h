@@ -170,7 +170,7 @@ inline Vector_3<double> to_middle(const Cloud& cloud, const Indices& of, const V
 }
 
 /// How far the middle of the samples in a ball lies beside its own, per radius: 0.42 at a straight border.
-inline double lean(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
+inline double off_center(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius)
 {
   const Indices samples = inside(cloud, near, frame, radius);
   if (samples.empty()) return 0;

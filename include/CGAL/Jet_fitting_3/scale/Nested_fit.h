@@ -96,7 +96,7 @@ public:
   /// By how much the noise of the samples exceeds that of the weights, as a factor of variances, 1 at least. What the
   /// surface has beyond the degree is further noise: samples are spread by chance, so it leaks into all coefficients.
   /// And where the surface leans, the noise of normals is in the heights.
-  double excess(std::size_t degree) const
+  double noise_factor(std::size_t degree) const
   {
     double squares = m_squares;
     for (std::size_t k = m_first; k < number_of_jet_coefficients(degree); ++k) squares -= m_right[k] * m_right[k];

@@ -32,7 +32,7 @@ struct Chosen_fit
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
-  double excess = 1;                     ///< of the noise, see Nested_fit
+  double noise_factor = 1;               ///< of the noise, see Nested_fit
   Roundness round{};                     ///< of the heights that are fitted
 };
 
@@ -47,8 +47,8 @@ inline double radius_of_area(const Chosen_fit& choice)
 inline double squared_error(const Chosen_fit& choice)
 {
   const double evidence = constant::per_shown * std::max(0., choice.evidence - constant::shown);
-  return choice.excess * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
-                                                    choice.variance * (constant::hidden + evidence * evidence));
+  return choice.noise_factor * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
+                                                          choice.variance * (constant::hidden + evidence * evidence));
 }
 
 /// What was chosen at a point, all in one frame, whose x axis is the pilot's principal direction of the larger
@@ -86,7 +86,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
       if (!(risk < least)) continue;
       least = risk;
-      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.excess, fit.round};
+      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.noise_factor, fit.round};
     }
   return least;
 }

@@ -54,9 +54,9 @@ struct Over_origin
 /// squares of the first two, and of the last three, add up to the same in all axes.
 struct Second_order
 {
-  double height = 0; ///< at the origin
-  Roundness round;   ///< of the round heights that were fitted; 0 if that was to heights
-  double excess = 1; ///< of noise in the samples over that of the covariance
+  double height = 0;       ///< at the origin
+  Roundness round;         ///< of the round heights that were fitted; 0 if that was to heights
+  double noise_factor = 1; ///< of noise in the samples over that of the covariance
   std::array<double, 5> value{};
   Covariance covariance{};
 };
@@ -87,7 +87,7 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
 {
   Second_order result;
   result.height = fit.coefficient(0, degree);
-  result.excess = fit.excess(degree);
+  result.noise_factor = fit.noise_factor(degree);
   for (std::size_t a = 0; a < 5; ++a) result.value[a] = fit.coefficient(a + 1, degree);
   result.covariance = covariance;
   return scaled(result, {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit}, unit);
@@ -102,17 +102,17 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
 /// chance, but far less than noise of its size where it is smooth. Half of it counts.
 inline Second_order with_misfit_as_noise(Second_order s)
 {
-  const double factor = std::max(1., s.excess / 2);
+  const double factor = std::max(1., s.noise_factor / 2);
   for (auto& row : s.covariance)
     for (double& c : row) c *= factor;
-  s.excess /= factor;
+  s.noise_factor /= factor;
   return s;
 }
 
 /// The values in axes that are turned by an angle from x to y, with the variances of each.
 struct Turned_second_order
 {
-  double height, excess;
+  double height, noise_factor;
   Roundness round;
   std::array<double, 5> value;
   double slopes_variance;         ///< of both slopes together
@@ -125,7 +125,7 @@ inline Turned_second_order turned(const Second_order& s, double cosine, double s
   const auto turn = numeric::second_derivatives_map(cosine, sine).rows;
   Turned_second_order t;
   t.height = s.height;
-  t.excess = s.excess;
+  t.noise_factor = s.noise_factor;
   t.round = s.round;
   t.value[0] = cosine * s.value[0] + sine * s.value[1];
   t.value[1] = cosine * s.value[1] - sine * s.value[0];

@@ -154,7 +154,7 @@ private:
     std::array<Choice, 4> choices;
     Choice of_slopes;                                // by disks
     std::array<Selection, shapes.size()> selections; // what they use
-    std::array<Selection, shapes.size()> hopeful;    // what vertices around it may use
+    std::array<Selection, shapes.size()> promising;  // what vertices around it may use
     std::array<double, 3> q{};                       // second derivatives by disks, in the axes of the frame
     double own_size = 0;                             // sum of the squares of the second derivatives
   };
@@ -177,11 +177,11 @@ private:
     return m_fitter(walker, i, frame, shapes[shape], m_grid, 2, selection, with_rows);
   }
 
-  // With rows: those that are hopeful at a place, or all where none of them exists.
+  // With rows: those that are promising at a place, or all where none of them exists.
   Candidates own_candidates(Walker<Neighbors>& walker, std::size_t i, const Local_frame& frame, std::size_t shape,
                             const Place& place) const
   {
-    Candidates candidates = fit(walker, i, frame, shape, place.hopeful[shape], true);
+    Candidates candidates = fit(walker, i, frame, shape, place.promising[shape], true);
     if (std::none_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return bool(c); }))
       candidates = fit(walker, i, frame, shape, Selection(m_grid, m_grid.radii.size()), true);
     return candidates;
@@ -419,10 +419,10 @@ private:
                              choices[k][y][2], m_places[k].choices[all]};
     }
     for (Place& place : m_places) {
-      for (Selection& selection : place.hopeful) selection = Selection(m_grid);
-      add_hopeful(place, 0, all, m_models[place.model].of_all);
+      for (Selection& selection : place.promising) selection = Selection(m_grid);
+      add_promising(place, 0, all, m_models[place.model].of_all);
       for (std::size_t t = 0; t < all; ++t)
-        add_hopeful(place, place.choices[t].shape, t, m_models[place.model].components[place.choices[t].shape][t]);
+        add_promising(place, place.choices[t].shape, t, m_models[place.model].components[place.choices[t].shape][t]);
       place.candidates = {};
       place.comparisons = {};
       for (Selection& selection : place.selections) selection = Selection(m_grid);
@@ -448,12 +448,12 @@ private:
   }
 
   // Those whose risk is not too far above the least.
-  void add_hopeful(Place& place, std::size_t shape, std::size_t target, const Bias_model& model) const
+  void add_promising(Place& place, std::size_t shape, std::size_t target, const Bias_model& model) const
   {
     constexpr double hopeless = 400; // with 50 candidates are missing that vertices need
     for (const std::size_t c :
          promising(place.candidates[shape], model, targets[target], m_squares_of_noise[place.vertex], hopeless))
-      place.hopeful[shape].add(m_grid, c);
+      place.promising[shape].add(m_grid, c);
   }
 
   // The least risk in the geometric mean over the nearest places; ellipses must be better than disks by a margin.

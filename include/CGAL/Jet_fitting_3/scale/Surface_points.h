@@ -27,8 +27,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Tangent_plane
 {
   Vector_3<double> origin, normal;
-  double lean = 0; ///< how far the middle of three rings lies beside the vertex, in units: about 1 at a border
-  double bend = 0; ///< the mean square of the principal curvatures, per square of the unit
+  double off_center = 0; ///< how far the middle of three rings lies beside the vertex, in units: about 1 at a border
+  double bend = 0;       ///< the mean square of the principal curvatures, per square of the unit
 };
 
 /// How edges around a vertex differ by direction: those along one are so many times as long as those across it.

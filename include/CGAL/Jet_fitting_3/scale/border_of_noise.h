@@ -34,15 +34,15 @@ inline Vector_3<double> inwards(const Cloud& cloud, const Indices& near, std::si
 template <class Within, class For_each>
 std::vector<char> close_to_border(const Cloud& cloud, const Within& within, double reach, const For_each& for_each)
 {
-  constexpr std::size_t fewest = 15; // to tell a border from chance
-  constexpr double most_lean = 0.31; // of a disk cut by a line 1.25 / 6 of its radius beside the middle
+  constexpr std::size_t fewest = 15;       // to tell a border from chance
+  constexpr double most_off_center = 0.31; // of a disk cut by a line 1.25 / 6 of its radius beside the middle
   std::vector<char> flags(cloud.size, 0);
   for_each(cloud.size, [&](std::size_t i) {
     Indices near;
     within(i, reach, near);
     if (near.size() < fewest || !cloud.is_sample(i)) return;
     const Vector_3<double> d = inwards(cloud, near, i);
-    flags[i] = dot(d, d) > most_lean * most_lean * reach * reach;
+    flags[i] = dot(d, d) > most_off_center * most_off_center * reach * reach;
   });
   return flags;
 }

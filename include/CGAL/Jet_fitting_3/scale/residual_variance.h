@@ -63,9 +63,9 @@ inline double sum_of_squares(const std::vector<Local_sample>& samples, const Nes
   for (const Local_sample& s : samples) {
     const Polynomial_value value = value_at<highest_nested_degree>(a.data(), s.u, s.v),
                            slope = value_at<2>(flat.data(), s.u, s.v);
-    const double lean = slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v;
+    const double tilt = slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v;
     const double z = s.height - value.height, u = s.slope_u - value.slope_u, v = s.slope_v - value.slope_v;
-    sum += of_slopes ? (u * u + v * v) / (1 - std::min(1., lean) / 2) : z * z / (1 + lean);
+    sum += of_slopes ? (u * u + v * v) / (1 - std::min(1., tilt) / 2) : z * z / (1 + tilt);
   }
   return sum;
 }

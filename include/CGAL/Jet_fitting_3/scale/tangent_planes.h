@@ -35,7 +35,7 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
   walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places(found.size());
   Local_frame frame{surface.points[i], axes_around(surface, i, surface.normals[i])};
-  double lean = 0, bend = 0;
+  double off_center = 0, bend = 0;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
     Moments moments;
@@ -45,10 +45,10 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
     const auto c = matrix.solution(moments.heights, 2);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(surface, i, frame.axes.out({-c[1], -c[2], 1}));
-    lean = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
+    off_center = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
     bend = 2 * c[3] * c[3] + c[4] * c[4] + 2 * c[5] * c[5];
   }
-  return {frame.origin, frame.axes.z, lean, bend};
+  return {frame.origin, frame.axes.z, off_center, bend};
 }
 
 /// A tangent plane by degree 4.

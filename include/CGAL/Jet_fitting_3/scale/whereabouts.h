@@ -39,7 +39,7 @@ template <class Neighbors>
 Whereabouts whereabouts(const Surface_points<Neighbors>& surface, std::size_t i)
 {
   Whereabouts result = whereabouts_on_component(surface, i);
-  if (surface.planes) result.beside = apart * result.unit * (*surface.planes)[i].lean;
+  if (surface.planes) result.beside = apart * result.unit * (*surface.planes)[i].off_center;
   return result;
 }
 
