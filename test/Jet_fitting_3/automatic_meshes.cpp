@@ -614,19 +614,24 @@ void outliers()
   options.loss = jets::Loss::tukey;
   const auto of_clean = without.estimate(jets::automatic(), 6, options);
   check_equal(of_clean.estimated, without.mesh.number_of_vertices(), "noise alone makes no outliers");
-  for (const double size : {0.1, 0.3, 1.}) {
+  struct Displaced
+  {
+    double part, size, growth; // of errors, at most
+  };
+  for (const auto [part, size, growth] :
+       {Displaced{.05, .1, 1.4}, {.05, .3, 1.4}, {.05, 1, 1.4}, {.15, 1, 1.6}}) { // the last with large gaps
     Noisy_mesh noisy(exact, 0.003);
     std::mt19937 random(17);
     std::normal_distribution<double> normal(0, size);
     std::vector<Vertex> displaced, others;
     for (const Vertex v : noisy.mesh.vertices())
-      if (random() % 20 == 0) {
+      if (std::uniform_real_distribution<double>()(random) < part) {
         displaced.push_back(v);
         noisy.mesh.point(v) += Kernel::Vector_3(normal(random), normal(random), normal(random));
       } else {
         others.push_back(v);
       }
-    const std::string name = "5 % displaced by " + text(size);
+    const std::string name = text(part) + " displaced by " + text(size);
     noisy.estimate(jets::automatic(), 6);
     check_ge(noisy.rms_error(others), 3 * without.rms_error(), name + ": error if they are data");
     const auto summary = noisy.estimate(jets::automatic(), 6, options);
@@ -635,9 +640,9 @@ void outliers()
     for (const Vertex v : others) wrong += summary.status(v).has(jets::Status_flag::outlier);
     check_ge(double(found), 0.8 * double(displaced.size()), name + ": found, some of which are near the surface");
     check_le(double(wrong), 0.001 * double(others.size()), name + ": others taken for outliers");
-    check_equal(summary.estimated, noisy.mesh.number_of_vertices() - std::size_t(found + wrong),
-                name + ": others have forms");
-    check_le(noisy.rms_error(others), 1.25 * without.rms_error(), name + ": error without them");
+    check_ge(double(summary.estimated), 0.998 * double(noisy.mesh.number_of_vertices() - std::size_t(found + wrong)),
+             name + ": others have forms, unless all around them are outliers");
+    check_le(noisy.rms_error(others), growth * without.rms_error(), name + ": error without them");
     check_le(summary.noise.position, 1.1 * of_clean.noise.position, name + ": noise without them");
   }
 }

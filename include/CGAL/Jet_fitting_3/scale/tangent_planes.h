@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -139,6 +140,31 @@ std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surfa
       if (finer) planes[i] = finer->plane;
     });
   return planes;
+}
+
+/// Unknown normals, which are 0, by those of neighbors, from the known ones on; z where no way leads to one.
+template <class Neighbors>
+std::vector<Vector_3<double>> filled(std::vector<Vector_3<double>> normals, const Neighbors& neighbors)
+{
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (!(dot(normals[i], normals[i]) > 0)) unknown.push_back(i);
+  for (std::size_t before = unknown.size() + 1; unknown.size() < before;) {
+    before = unknown.size();
+    std::vector<std::size_t> left;
+    std::vector<std::pair<std::size_t, Vector_3<double>>> found;
+    for (const std::size_t i : unknown) {
+      Vector_3<double> sum{0, 0, 0};
+      for (const std::size_t v : neighbors(i)) sum = sum + normals[v];
+      const double length = std::sqrt(dot(sum, sum));
+      if (length > 0) found.push_back({i, 1 / length * sum});
+      else left.push_back(i);
+    }
+    for (const auto& [i, normal] : found) normals[i] = normal;
+    unknown = std::move(left);
+  }
+  for (const std::size_t i : unknown) normals[i] = {0, 0, 1};
+  return normals;
 }
 
 /// Normals averaged with those of the neighbors, rounds[i] times that of i, or until they would turn farther: what is

@@ -88,8 +88,8 @@ public:
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
-    m_normals = averaging::smoothed(normals(of_mesh, tables.adjacency), m_surface.neighbors,
-                                    std::vector<int>(m_points.size(), first_rounds));
+    m_normals = averaging::smoothed(averaging::filled(normals(of_mesh, tables.adjacency), m_surface.neighbors),
+                                    m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
