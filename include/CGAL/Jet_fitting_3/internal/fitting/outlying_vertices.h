@@ -86,12 +86,12 @@ Beside_others beside_others(const averaging::Surface_points<Neighbors>& surface,
       const auto distance = [&](const Vector_3<double>& p) { return std::sqrt(dot(p - middle, p - middle)); };
       std::vector<double> distances;
       for (const Vector_3<double>& p : around) distances.push_back(distance(p));
-      const double radius = scale::median(std::move(distances));
-      if (!(radius > 0)) return;
+      const double median_distance = scale::median(std::move(distances));
+      if (!(median_distance > 0)) return;
       std::copy_if(around.begin(), around.end(), std::back_inserter(near),
-                   [&](const Vector_3<double>& p) { return distance(p) <= far * radius; });
-      result.middle[i] = distance({0, 0, 0}) / radius;
-      result.surface[i] = std::abs(robust_height(near, solver)) / radius;
+                   [&](const Vector_3<double>& p) { return distance(p) <= far * median_distance; });
+      result.middle[i] = distance({0, 0, 0}) / median_distance;
+      result.surface[i] = std::abs(robust_height(near, solver)) / median_distance;
     };
   });
   return result;
