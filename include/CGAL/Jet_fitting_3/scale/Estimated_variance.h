@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,13 +21,16 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The middle one, or the upper of two.
-inline double median(std::vector<double> values)
+/// The smallest that a part of them, less than all, does not exceed.
+inline double quantile(std::vector<double> values, double part)
 {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto nth = values.begin() + std::ptrdiff_t(part * double(values.size()));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
 }
+
+/// The middle one, or the upper of two.
+inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 /// What makes the median of a sum of squares of noise, over its degrees of freedom, the variance (Wilson and Hilferty
 /// 1931).

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_SOUND_NORMALS_H
 #define CGAL_JET_FITTING_3_SCALE_SOUND_NORMALS_H
 
+#include <CGAL/Jet_fitting_3/scale/far_differences.h>
 #include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
 
 #include <algorithm>
@@ -29,8 +30,8 @@ std::vector<Vector_3<double>> on_side_of(const Surface_points<Neighbors>& surfac
   return given;
 }
 
-/// Which of some differences are far larger than others: eight times that of half of all, and so many times that of
-/// half of those within two rings. Of neighbors the largest alone, since a wrong normal is in what is expected of those
+/// Which of some differences are far larger than others: than those of half of all, and so many times larger than
+/// those of half within two rings. Of neighbors the largest alone, since a wrong normal is in what is expected of those
 /// around it.
 /// \param differences of normals from what is expected, in radians; negative where nothing is known
 /// \param least smaller ones do not matter
@@ -38,26 +39,15 @@ template <class Neighbors>
 std::vector<std::size_t> outstanding(const Surface_points<Neighbors>& surface, const std::vector<double>& differences,
                                      double least, double than_nearby)
 {
-  constexpr double than_most = 8;
-  std::vector<double> known;
-  for (const double d : differences)
-    if (d >= 0) known.push_back(d);
+  least = std::max(least, far_from_most(differences));
   std::vector<std::size_t> result, found, ends;
-  if (known.empty()) return result;
-  least = std::max(least, than_most * scale::median(std::move(known)));
   Walker<Neighbors> walker(surface);
   for (std::size_t i = 0; i < differences.size(); ++i) {
     if (!(differences[i] > least)) continue;
     walker.rings(i, 2, found, ends);
-    std::vector<double> nearby;
-    bool is_largest = true;
-    for (std::size_t k = 1; k < found.size(); ++k) {
-      const double other = differences[found[k]];
-      if (other >= 0) nearby.push_back(other);
-      is_largest = is_largest && (k >= ends[1] || other <= differences[i]);
-    }
-    if (is_largest && (nearby.empty() || differences[i] > than_nearby * scale::median(std::move(nearby))))
-      result.push_back(i);
+    const bool is_largest = std::all_of(found.begin(), found.begin() + std::ptrdiff_t(ends[1]),
+                                        [&](std::size_t v) { return differences[v] <= differences[i]; });
+    if (is_largest && is_far_from_nearby(differences, found, than_nearby, 0.5)) result.push_back(i);
   }
   return result;
 }

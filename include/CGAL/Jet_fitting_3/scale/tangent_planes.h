@@ -149,8 +149,7 @@ std::vector<Vector_3<double>> filled(std::vector<Vector_3<double>> normals, cons
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < normals.size(); ++i)
     if (!(dot(normals[i], normals[i]) > 0)) unknown.push_back(i);
-  for (std::size_t before = unknown.size() + 1; unknown.size() < before;) {
-    before = unknown.size();
+  while (!unknown.empty()) {
     std::vector<std::size_t> left;
     std::vector<std::pair<std::size_t, Vector_3<double>>> found;
     for (const std::size_t i : unknown) {
@@ -160,6 +159,7 @@ std::vector<Vector_3<double>> filled(std::vector<Vector_3<double>> normals, cons
       if (length > 0) found.push_back({i, 1 / length * sum});
       else left.push_back(i);
     }
+    if (found.empty()) break;
     for (const auto& [i, normal] : found) normals[i] = normal;
     unknown = std::move(left);
   }

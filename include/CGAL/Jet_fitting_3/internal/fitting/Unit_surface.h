@@ -10,7 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/internal/Index.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/outliers.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>

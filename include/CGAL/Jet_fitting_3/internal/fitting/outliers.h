@@ -9,8 +9,8 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -81,17 +80,6 @@ bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size
     if (cloud.is_sample(i) && cloud.has_normals()) normals.push_back(cloud.normals[all[k]]);
   }
   return is_first_outlier(samples, normals, radius, solver);
-}
-
-/// \throw Invalid_input if outliers are more than half
-/// \param is_outlier one flag for each of what
-inline void check_outliers_are_few(const std::vector<char>& is_outlier, const std::string& what)
-{
-  const std::size_t count = std::size_t(std::count(is_outlier.begin(), is_outlier.end(), char(1)));
-  if (2 * count > is_outlier.size())
-    throw Invalid_input("automatic() with Loss::tukey: " + std::to_string(count) + " of " +
-                        std::to_string(is_outlier.size()) + " " + what +
-                        " are far from the surface of their neighbors, too many to be outliers");
 }
 
 /// Which points a robust fit to the least_neighbors nearest leaves no weight: one flag each. Of 3000 points of a torus

@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Walker.h>
+#include <CGAL/Jet_fitting_3/scale/far_differences.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 
@@ -102,17 +103,10 @@ template <class Neighbors>
 bool is_outstanding(averaging::Walker<Neighbors>& walker, const std::vector<double>& differences, std::size_t i,
                     double least)
 {
-  constexpr double than_nearby = 4, part = 0.7;
   if (!(differences[i] > least)) return false;
   std::vector<std::size_t> found, ends;
   walker.rings(i, 2, found, ends);
-  std::vector<double> nearby;
-  for (std::size_t k = 1; k < found.size(); ++k)
-    if (differences[found[k]] >= 0) nearby.push_back(differences[found[k]]);
-  if (nearby.empty()) return true;
-  const auto nth = nearby.begin() + std::ptrdiff_t(part * double(nearby.size()));
-  std::nth_element(nearby.begin(), nth, nearby.end());
-  return differences[i] > than_nearby * *nth;
+  return averaging::is_far_from_nearby(differences, found, 4, 0.7);
 }
 
 /// Which vertices are far from the surface of their neighbors, or from these, while others around are not: one flag
@@ -121,12 +115,9 @@ bool is_outstanding(averaging::Walker<Neighbors>& walker, const std::vector<doub
 template <class Neighbors, class For_each>
 std::vector<char> outlying_vertices(const averaging::Surface_points<Neighbors>& surface, const For_each& for_each)
 {
-  constexpr double outside = 2, rounding = 1e-6, than_most = 8; // than half of all: noise hardly ever is
+  constexpr double outside = 2, rounding = 1e-6;
   const Beside_others beside = beside_others(surface, for_each);
-  std::vector<double> known;
-  for (const double height : beside.surface)
-    if (height >= 0) known.push_back(height);
-  const double least = known.empty() ? 0 : (std::max)(rounding, than_most * scale::median(std::move(known)));
+  const double least = (std::max)(rounding, averaging::far_from_most(beside.surface));
   averaging::Walker<Neighbors> walker(surface);
   std::vector<char> result(surface.points.size());
   for (std::size_t i = 0; i < result.size(); ++i)
