@@ -216,6 +216,30 @@ void noise_alike_at_neighbors()
   check_le(std::sqrt(product), 1, "noise alike at neighbors, beside the best fixed choice");
 }
 
+// Waves of few edges are a surface, and no noise that is alike at neighbors.
+void short_waves()
+{
+  constexpr std::size_t n = 81;
+  for (const double length : {7., 8., 8.5}) {
+    const double k = 2 * std::acos(-1.) * double(n - 1) / length, a = 0.4 / k;
+    const auto height = [k, a](double x, double y) {
+      const double sx = std::sin(k * x), sy = std::sin(k * y), cx = std::cos(k * x), cy = std::cos(k * y);
+      return std::array<double, 6>{a * sx * sy,          a * k * cx * sy,     a * k * sx * cy,
+                                   -a * k * k * sx * sy, a * k * k * cx * cy, -a * k * k * sx * sy};
+    };
+    const std::string name = "waves of " + text(length) + " edges";
+    Noisy_mesh waves(graph(name, n, height), 0);
+    std::vector<Vertex> inside;
+    for (std::size_t i = 10; i + 10 < n; ++i)
+      for (std::size_t j = 10; j + 10 < n; ++j) inside.push_back(Vertex(Mesh::size_type(i * n + j)));
+    waves.estimate(jets::k_rings(2), 4);
+    const double fixed = waves.rms_error(inside);
+    const auto summary = waves.estimate(jets::automatic(), 6);
+    check_le(waves.rms_error(inside), 1.2 * fixed, name + ", beside the best fixed choice");
+    check_le(summary.noise.position, 0.1 * a, name + ", the noise of exact positions");
+  }
+}
+
 // One half has noise, the other none: each is as good as by the best fixed choice there.
 void noise_of_one_half()
 {
@@ -683,6 +707,7 @@ int main()
   for (const bool noise_grows_with_edges : {false, true}) graded_mesh(noise_grows_with_edges);
   noise_of_an_edge();
   noise_alike_at_neighbors();
+  short_waves();
   noise_of_one_half();
   errors_of_normals();
   parts_of_two_sizes();

@@ -201,12 +201,14 @@ inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& plac
 /// Noise that is alike at neighbors, as meshes from grids and smoothed ones have it: fits to few rings follow it. What
 /// fits of the higher degree leave grows with the rings, at first, and then hardly: by less than the square of their
 /// number, by which it grows where edges of the surface are within reach; on smooth surfaces by about the eleventh
-/// power. The largest such; 0 if there is none.
+/// power. The largest such; 0 if there is none. None, too, if it still grows much from the second number of rings to
+/// the fourth: then it is waves of the surface, which fits to fewer rings follow.
 /// \param known the noise of each place, if it were not alike: by this what is left is measured, and the result
 inline Size_of_noise noise_alike_at_neighbors(const std::vector<Residuals_at_place>& places,
                                               const std::vector<double>& known, std::size_t first_ring)
 {
   constexpr double power = 1.75;
+  constexpr double of_waves = 2.5; // grids leave up to 2.1, waves of 7 edges 3.1
   Size_of_noise noise{0, 0};
   for (std::size_t k = 1; k + 2 < Residuals_at_place::rings; ++k) {
     std::array<std::vector<double>, 3> of_rings;
@@ -218,6 +220,7 @@ inline Size_of_noise noise_alike_at_neighbors(const std::vector<Residuals_at_pla
     const double least = scale::median(of_rings[0]), middle = scale::median(of_rings[1]),
                  most = scale::median(of_rings[2]);
     const double factor = double(first_ring + k + 2) / double(first_ring + k);
+    if (k == 1 && most > of_waves * least) break;
     if (most > std::pow(factor, power) * least || std::sqrt(middle) <= noise.value) continue;
     noise = {std::sqrt(middle), std::abs(std::sqrt(most) - std::sqrt(least)) / 2};
   }

@@ -64,16 +64,10 @@ class Unit_surface
 {
   static constexpr int first_rounds = 3; // of the normals of the mesh: over two edges or so
 
-  struct Neighbors
-  {
-    const Adjacency* adjacency;
-    Adjacency::Row operator()(std::size_t node) const { return (*adjacency)[static_cast<Index>(node)]; }
-  };
-
 public:
-  using Edges = Neighbors;
-  using Surface = averaging::Surface_points<Neighbors>;
-  using Walker = averaging::Walker<Neighbors>;
+  using Edges = Edges_of_nodes;
+  using Surface = averaging::Surface_points<Edges>;
+  using Walker = averaging::Walker<Edges>;
 
   /// \param of_mesh normals of the nodes, by the faces
   /// \param has_normals whether normals are data: then disks are round, however long edges are
@@ -82,7 +76,7 @@ public:
   template <class Tables, class For_each = averaging::One_after_the_other>
   Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals, bool finds_outliers = false,
                const For_each& for_each = For_each())
-    : m_points(points(tables)), m_surface{m_points, m_normals, Neighbors{&tables.adjacency}, m_units}
+    : m_points(points(tables)), m_surface{m_points, m_normals, Edges{&tables.adjacency}, m_units}
   {
     if (finds_outliers) leave_out_outliers(tables.adjacency, for_each);
     m_units = averaging::lengths_around(m_surface);
@@ -141,19 +135,12 @@ private:
   template <class For_each>
   void leave_out_outliers(const Adjacency& adjacency, const For_each& for_each)
   {
-    constexpr int most_rounds = 10; // neighbors of an outlier are judged without it
-    m_outliers.assign(m_points.size(), 0);
-    for (int round = 0; round < most_rounds; ++round) {
-      std::vector<char> found = outlying_vertices(m_surface, for_each);
-      if (found == m_outliers) break;
-      m_outliers = std::move(found);
-      m_without_outliers = adjacency.filtered([&](Index, Index neighbor) { return !m_outliers[neighbor]; });
-      m_surface.neighbors = Neighbors{&m_without_outliers};
-    }
+    m_outliers = outlying_vertices(m_points, adjacency, for_each);
+    if (std::none_of(m_outliers.begin(), m_outliers.end(), [](char flag) { return flag; })) return;
     check_outliers_are_few(m_outliers, "vertices");
     m_without_outliers =
         adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; });
-    m_surface.neighbors = Neighbors{&m_without_outliers};
+    m_surface.neighbors = Edges{&m_without_outliers};
   }
 
   // The given normals, and points themselves as origins: those of planes are as far beside the surface as fits from

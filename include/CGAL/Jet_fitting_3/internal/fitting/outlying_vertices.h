@@ -10,6 +10,8 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/estimation.h>
+#include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Walker.h>
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -33,8 +36,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// are too few.
 struct Beside_others
 {
-  std::vector<double> middle;  ///< how far from it: at most 1.4 or so, at a corner of the surface
-  std::vector<double> surface; ///< how far from it, along its normal
+  std::vector<double> middle;     ///< how far from it: at most 1.4 or so, at a corner of the surface
+  std::vector<double> surface;    ///< how far from it, along its normal
+  std::vector<std::size_t> rings; ///< in which these are
 };
 
 /// The median of each coordinate. There must be a point.
@@ -64,22 +68,24 @@ double robust_height(const std::vector<Vector_3<double>>& places, Solver& solver
   return estimate(samples, 2, 2, basis, solver, options).fit.jet(0, 0);
 }
 
-/// By the rings around that have five times the unknowns of a robust fit. Vertices that are far from the others there
-/// have no part in it.
+/// Looks at some vertices, by the rings around that have five times the unknowns of a robust fit. Vertices that are far
+/// from the others there have no part in it.
 /// \param surface normals are not looked at, for outliers spoil them
 /// \param for_each as for Surface_choice
 template <class Neighbors, class For_each>
-Beside_others beside_others(const averaging::Surface_points<Neighbors>& surface, const For_each& for_each)
+void look_at(const std::vector<std::size_t>& vertices, const averaging::Surface_points<Neighbors>& surface,
+             const For_each& for_each, Beside_others& beside)
 {
   using Walker = averaging::Walker<Neighbors>;
   constexpr std::size_t fewest_rings = 2, enough = 5 * number_of_jet_coefficients(2);
   constexpr double far = 3;
-  const std::size_t size = surface.points.size();
-  Beside_others result{std::vector<double>(size, -1), std::vector<double>(size, -1)};
-  for_each(size, [&] {
+  for_each(vertices.size(), [&] {
     return [&, walker = Walker(surface), found = std::vector<std::size_t>(), ends = std::vector<std::size_t>(),
-            solver = Orthogonal_solver<double>()](std::size_t i) mutable {
-      const std::size_t end = ends[walker.first_rings(i, fewest_rings, enough, found, ends)];
+            solver = Orthogonal_solver<double>()](std::size_t n) mutable {
+      const std::size_t i = vertices[n];
+      beside.middle[i] = beside.surface[i] = -1;
+      beside.rings[i] = walker.first_rings(i, fewest_rings, enough, found, ends);
+      const std::size_t end = ends[beside.rings[i]];
       if (end <= 2 * number_of_jet_coefficients(2)) return;
       std::vector<Vector_3<double>> around, near;
       for (std::size_t k = 1; k < end; ++k) around.push_back(surface.points[found[k]] - surface.points[i]);
@@ -91,11 +97,10 @@ Beside_others beside_others(const averaging::Surface_points<Neighbors>& surface,
       if (!(median_distance > 0)) return;
       std::copy_if(around.begin(), around.end(), std::back_inserter(near),
                    [&](const Vector_3<double>& p) { return distance(p) <= far * median_distance; });
-      result.middle[i] = distance({0, 0, 0}) / median_distance;
-      result.surface[i] = std::abs(robust_height(near, solver)) / median_distance;
+      beside.middle[i] = distance({0, 0, 0}) / median_distance;
+      beside.surface[i] = std::abs(robust_height(near, solver)) / median_distance;
     };
   });
-  return result;
 }
 
 /// Whether a vertex differs by more than `least`, and by four times as much as seven tenths of those within two rings.
@@ -109,20 +114,71 @@ bool is_outstanding(averaging::Walker<Neighbors>& walker, const std::vector<doub
   return averaging::is_far_from_nearby(differences, found, 4, 0.7);
 }
 
-/// Which vertices are far from the surface of their neighbors, or from these, while others around are not: one flag
-/// each.
-/// \param surface without the edges that lead to vertices known as outliers; those have edges, and are judged again
-template <class Neighbors, class For_each>
-std::vector<char> outlying_vertices(const averaging::Surface_points<Neighbors>& surface, const For_each& for_each)
+/// Whether vertices are far from the surface of their neighbors, or from these, while others around are not.
+template <class Neighbors>
+std::vector<char> are_outstanding(const averaging::Surface_points<Neighbors>& surface, const Beside_others& beside)
 {
   constexpr double outside = 2, rounding = 1e-6;
-  const Beside_others beside = beside_others(surface, for_each);
   const double least = (std::max)(rounding, averaging::far_from_most(beside.surface));
   averaging::Walker<Neighbors> walker(surface);
   std::vector<char> result(surface.points.size());
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = is_outstanding(walker, beside.middle, i, outside) || is_outstanding(walker, beside.surface, i, least);
   return result;
+}
+
+/// Those that were looked at with one of these vertices among the ones around.
+template <class Neighbors>
+std::vector<std::size_t> seen_from(const averaging::Surface_points<Neighbors>& surface,
+                                   const std::vector<std::size_t>& vertices, const Beside_others& beside)
+{
+  const std::size_t most = *std::max_element(beside.rings.begin(), beside.rings.end());
+  averaging::Walker<Neighbors> walker(surface);
+  std::vector<std::size_t> found, ends;
+  std::vector<char> is_one(surface.points.size());
+  for (const std::size_t vertex : vertices) {
+    walker.rings(vertex, most, found, ends);
+    for (std::size_t ring = 0, k = 0; ring <= most; ++ring)
+      for (; k < ends[ring]; ++k)
+        if (ring <= beside.rings[found[k]]) is_one[found[k]] = true;
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < is_one.size(); ++i)
+    if (is_one[i]) result.push_back(i);
+  return result;
+}
+
+/// Which vertices are outliers: one flag each. All are looked at, then those around each outlier again, as if it had no
+/// edges, and so on: of the neighbors of an outlier many are far from a surface to which it belongs. Some never settle,
+/// mostly beside sharp edges; they are none.
+template <class For_each>
+std::vector<char> outlying_vertices(const std::vector<Vector_3<double>>& points, const Adjacency& adjacency,
+                                    const For_each& for_each)
+{
+  constexpr int most_rounds = 10;
+  const std::size_t size = points.size();
+  const std::vector<Vector_3<double>> no_normals;
+  const std::vector<double> no_units;
+  const averaging::Surface_points<Edges_of_nodes> whole{points, no_normals, {&adjacency}, no_units};
+  averaging::Surface_points<Edges_of_nodes> surface = whole;
+  Adjacency without_outliers;
+  Beside_others beside{std::vector<double>(size), std::vector<double>(size), std::vector<std::size_t>(size)};
+  std::vector<char> outliers(size), before(size);
+  std::vector<std::size_t> vertices(size);
+  std::iota(vertices.begin(), vertices.end(), std::size_t(0));
+  for (int round = 0; round < most_rounds; ++round) {
+    look_at(vertices, surface, for_each, beside);
+    before = std::exchange(outliers, are_outstanding(surface, beside));
+    vertices.clear();
+    for (std::size_t i = 0; i < size; ++i)
+      if (outliers[i] != before[i]) vertices.push_back(i);
+    if (vertices.empty()) break;
+    without_outliers = adjacency.filtered([&](Index, Index neighbor) { return !outliers[neighbor]; });
+    surface.neighbors = {&without_outliers};
+    vertices = seen_from(whole, vertices, beside);
+  }
+  for (std::size_t i = 0; i < size; ++i) outliers[i] = outliers[i] && before[i];
+  return outliers;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -107,6 +107,13 @@ private:
   std::vector<Index> m_neighbors;
 };
 
+/// The neighbors of nodes.
+struct Edges_of_nodes
+{
+  const Adjacency* adjacency;
+  Adjacency::Row operator()(std::size_t node) const { return (*adjacency)[static_cast<Index>(node)]; }
+};
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace internal
 } // namespace Jet_fitting
