@@ -10,14 +10,14 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_of_normals.h>
+#include <CGAL/Jet_fitting_3/averaging/sound_normals.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_set_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
-#include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
-#include <CGAL/Jet_fitting_3/scale/sound_normals.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>

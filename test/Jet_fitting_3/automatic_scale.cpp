@@ -9,7 +9,7 @@
 
 #include "check.h"
 
-#include <CGAL/Jet_fitting_3/scale/Cloud_scale.h>
+#include <CGAL/Jet_fitting_3/clouds/Cloud_scale.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 

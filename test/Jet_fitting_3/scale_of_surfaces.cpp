@@ -10,8 +10,8 @@
 #include "analytic_meshes.h"
 #include "check.h"
 
-#include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
-#include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
+#include <CGAL/Jet_fitting_3/averaging/Surface_choice.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,11 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/averaging/Order_choice.h>
+#include <CGAL/Jet_fitting_3/averaging/Surface_choice.h>
+#include <CGAL/Jet_fitting_3/averaging/jet_of_disk.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_of_normals.h>
+#include <CGAL/Jet_fitting_3/averaging/sound_normals.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
@@ -21,11 +26,6 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/Order_choice.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_choice.h>
-#include <CGAL/Jet_fitting_3/scale/jet_of_disk.h>
-#include <CGAL/Jet_fitting_3/scale/noise_of_normals.h>
-#include <CGAL/Jet_fitting_3/scale/sound_normals.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>

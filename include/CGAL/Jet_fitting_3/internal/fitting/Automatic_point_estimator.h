@@ -10,16 +10,16 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/clouds/Cloud_scale.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/Cloud_scale.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>

@@ -9,6 +9,11 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/averaging/Edge_stretch.h>
+#include <CGAL/Jet_fitting_3/averaging/One_after_the_other.h>
+#include <CGAL/Jet_fitting_3/averaging/connected_components.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
+#include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
@@ -17,11 +22,6 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/Edge_stretch.h>
-#include <CGAL/Jet_fitting_3/scale/One_after_the_other.h>
-#include <CGAL/Jet_fitting_3/scale/connected_components.h>
-#include <CGAL/Jet_fitting_3/scale/noise_of_surface.h>
-#include <CGAL/Jet_fitting_3/scale/tangent_planes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,13 +9,13 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/averaging/Walker.h>
+#include <CGAL/Jet_fitting_3/averaging/far_differences.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
-#include <CGAL/Jet_fitting_3/scale/Walker.h>
-#include <CGAL/Jet_fitting_3/scale/far_differences.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 

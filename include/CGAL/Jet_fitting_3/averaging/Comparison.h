@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_AVERAGING_COMPARISON_H
+#define CGAL_JET_FITTING_3_AVERAGING_COMPARISON_H
+
+#include <CGAL/Jet_fitting_3/averaging/Candidate_grid.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What the difference of two candidates says.
+struct Comparison
+{
+  double excess = 0; ///< its square less the noise: its squared bias, but for chance
+  double noise = -1; ///< its variance; negative: one of both does not exist
+  double error = 0;  ///< of the excess, by chance: as large as the noise, or in a mean the standard error
+  Of_orders terms{}; ///< squared bias per variance of the terms of each order
+
+  bool exists() const { return noise >= 0; }
+};
+
+/// Of one candidate.
+struct Own_errors
+{
+  double variance = 0; ///< per square of the noise
+  Of_orders terms{};   ///< squared bias per variance of the terms of each order
+
+  Own_errors() = default;
+  Own_errors(const Candidate& c, const Target& target)
+  {
+    if (!c) return;
+    variance = covariance(c, c, target);
+    terms = error_products(c, c, target);
+  }
+};
+
+inline Comparison compare(const Candidate& a, const Candidate& b, const Own_errors& of_a, const Own_errors& of_b,
+                          const Target& target, double square_of_noise)
+{
+  Comparison result;
+  if (!a || !b) return result;
+  double square = 0, size = 0;
+  for (std::size_t i = target.first; i < target.last; ++i) {
+    square += (a.values[i] - b.values[i]) * (a.values[i] - b.values[i]);
+    size += a.values[i] * a.values[i];
+  }
+  const double sum = of_a.variance + of_b.variance - 2 * covariance(a, b, target);
+  const double variance = square_of_noise * std::max(0., sum);
+  result.excess = square - variance;
+  result.noise = result.error = std::max(variance, 1e-18 * size + 1e-200);
+  const Of_orders products = error_products(a, b, target);
+  for (std::size_t k = 0; k < products.size(); ++k) result.terms[k] = of_a.terms[k] + of_b.terms[k] - 2 * products[k];
+  return result;
+}
+
+using Comparisons = std::vector<Comparison>;
+
+inline Comparisons compare_all(const Candidates& candidates, const Candidate_grid& grid, const Target& target,
+                               double square_of_noise)
+{
+  std::vector<Own_errors> own;
+  own.reserve(candidates.size());
+  for (const Candidate& c : candidates) own.emplace_back(c, target);
+  Comparisons result;
+  result.reserve(grid.pairs.size());
+  for (const Pair& pair : grid.pairs)
+    result.push_back(compare(candidates[pair.first], candidates[pair.second], own[pair.first], own[pair.second], target,
+                             square_of_noise));
+  return result;
+}
+
+/// What a patch says: the members' comparisons in the mean. Exact ones, of planes without noise, must not be the only
+/// ones that count: none is taken for much more certain than they are in the mean.
+inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
+                               double patch_radius, const Target& target)
+{
+  Comparisons means(grid.pairs.size());
+  std::vector<double> weights(means.size()), noises(means.size());
+  std::vector<std::size_t> counts(means.size());
+  constexpr double least_part = 0.001;
+  std::vector<double> least(means.size()); // noise
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < means.size(); ++t)
+      if ((*member)[t].exists()) least[t] += least_part / double(members.size()) * (*member)[t].noise;
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < means.size(); ++t) {
+      const Comparison& c = (*member)[t];
+      if (!c.exists()) continue;
+      const double noise = std::max(c.noise, least[t]), w = 1 / (noise * noise);
+      weights[t] += w;
+      ++counts[t];
+      means[t].excess += w * c.excess;
+      noises[t] += w * c.noise;
+      for (std::size_t k = 0; k < c.terms.size(); ++k) means[t].terms[k] += w * c.terms[k];
+    }
+  for (std::size_t t = 0; t < means.size(); ++t) {
+    Comparison& mean = means[t];
+    if (counts[t] <= members.size() / 3) continue;
+    mean.excess /= weights[t];
+    mean.noise = noises[t] / weights[t];
+    for (double& term : mean.terms) term /= weights[t];
+    const double ratio = patch_radius / grid.radii[grid.shell(grid.pairs[t].first)];
+    const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
+    // the square of one normal variable varies more than that of three
+    mean.error = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
+  }
+  return means;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_AVERAGING_COMPARISON_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_AVERAGING_SURFACE_CHOICE_H
+#define CGAL_JET_FITTING_3_AVERAGING_SURFACE_CHOICE_H
+
+#include <CGAL/Jet_fitting_3/averaging/One_after_the_other.h>
+#include <CGAL/Jet_fitting_3/averaging/Second_order_choice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
+inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
+
+/// Chooses radii and degrees for all vertices of a surface with edges, from positions, and from given normals, and
+/// which height. Radii end at 24 units, and what is learned of bias is in units as well: so it holds where edges have
+/// another length, as those of a mesh do that is finer where its surface bends more.
+template <class Neighbors>
+class Surface_choice
+{
+  using Choice_of_height = Second_order_choice<Neighbors>;
+  static constexpr double margin = 1.4; // of the risk, by which the potential must be better
+  static constexpr double apart = 4;    // square of how far they may differ, over what they claim
+
+public:
+  using Surface = Surface_points<Neighbors>;
+
+  /// \param squares_of_noise the variance of a coordinate of each point, in squares of its unit; is not owned
+  /// \param highest degree of a candidate, at least 2
+  /// \param for_each for_each(count, make_body) calls body(k) once for each k below count, with a body that make_body()
+  ///        returns, in any order; each thread has a body of its own
+  template <class For_each = One_after_the_other>
+  Surface_choice(const Surface& surface, const std::vector<double>& squares_of_noise,
+                 std::size_t highest = highest_degree, const For_each& for_each = For_each())
+    : m_surface(surface)
+  {
+    const auto is_at_border = [&](std::size_t i) { return surface.planes && (*surface.planes)[i].off_center > 0.5; };
+    const std::vector<std::size_t> vertices = spread_over_kinds(surface.units, is_at_border, most_places);
+    for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, i));
+    const auto choice = [&](Height height, const Candidate_grid& grid, const std::vector<std::size_t>& places) {
+      return Choice_of_height(surface, squares_of_noise, grid, height, places, for_each);
+    };
+    Candidate_grid grid = widest_grid(highest, surface.given && surface.given->suffice_in_one_ring);
+    std::vector<std::size_t> some;
+    for (std::size_t k = 0; k < vertices.size(); k += 8) some.push_back(vertices[k]);
+    std::size_t shells = 0;
+    for (const Height height : {Height::z, Height::potential})
+      shells = std::max(shells, choice(height, grid, some).shells_in_use() + 2);
+    if (shells < grid.radii.size()) {
+      grid.radii.resize(shells);
+      grid = candidate_grid(std::move(grid.radii), std::move(grid.degrees));
+    }
+    std::vector<Choice_of_height> choices;
+    for (const Height height : {Height::z, Height::potential}) choices.push_back(choice(height, grid, vertices));
+    m_height = is_better(choices[1], choices[0], vertices.size()) ? Height::potential : Height::z;
+    m_choices.push_back(std::move(choices[std::size_t(m_height)]));
+    m_choices.back().learn_components(for_each);
+  }
+
+  /// Which one is fitted.
+  Height height() const { return m_height; }
+
+  /// At any vertex.
+  Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i) const
+  {
+    return m_choices.back().estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, i)));
+  }
+
+  /// Of all candidates that there may be.
+  /// \param from_one_ring or from two, as positions need
+  static Candidate_grid widest_grid(std::size_t highest, bool from_one_ring = false)
+  {
+    std::vector<std::size_t> degrees;
+    for (std::size_t d = 2; d <= std::min(highest, highest_degree); d += 2) degrees.push_back(d);
+    return candidate_grid(radii_of_disks(from_one_ring ? 2 / (1.2 * 1.2 * 1.2 * 1.2) : 2), std::move(degrees));
+  }
+
+private:
+  // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than twice
+  // what they claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which
+  // are larger than it without noise.
+  static bool is_better(const Choice_of_height& first, const Choice_of_height& second, std::size_t places)
+  {
+    double gain = 0;
+    std::vector<double> differences;
+    for (std::size_t k = 0; k < places; ++k) {
+      const Choice &a = first.choice(k), &b = second.choice(k);
+      if (!a.exists() || !b.exists()) continue;
+      gain += std::log(a.risk() / b.risk());
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += std::pow(first.derivatives(k)[i] - second.derivatives(k)[i], 2);
+      differences.push_back(square / (2 * (a.variance + b.variance) + a.squared_bias + b.squared_bias));
+    }
+    if (differences.empty()) return false;
+    const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);
+    std::nth_element(differences.begin(), median, differences.end());
+    return gain < -std::log(margin) * double(differences.size()) && *median < apart;
+  }
+
+  const Surface& m_surface;
+  Height m_height = Height::z;
+  std::vector<Whereabouts> m_points; // of the places
+  std::vector<Choice_of_height> m_choices;
+};
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_AVERAGING_SURFACE_CHOICE_H

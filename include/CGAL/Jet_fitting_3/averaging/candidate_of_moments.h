@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_AVERAGING_CANDIDATE_OF_MOMENTS_H
+#define CGAL_JET_FITTING_3_AVERAGING_CANDIDATE_OF_MOMENTS_H
+
+#include <CGAL/Jet_fitting_3/averaging/Candidate.h>
+#include <CGAL/Jet_fitting_3/averaging/Normal_matrix.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/steps/gauss_map_series.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace averaging {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What makes a coefficient the j-th row for derivatives of this order.
+inline double derivative_factor(std::size_t order, std::size_t j)
+{
+  return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
+}
+
+/// What a row answers to the terms of an order above the degree.
+inline void add_responses(const Moments& moments, std::size_t degree, std::size_t order, Estimate_row& row)
+{
+  for (std::size_t l = 0; l <= order; l += 2 * lanes) {
+    Lanes first = 0, second = 0;
+    for (std::size_t k = 0, a = 0; k <= degree; ++k)
+      for (std::size_t i = 0; i <= k; ++i, ++a) {
+        const double* terms = &moments.terms[term_index(order + k, l + i)];
+        const Lanes of_moment = row.of_moments[a];
+        first = first + of_moment * Lanes::load(terms);
+        second = second + of_moment * Lanes::load(terms + lanes);
+      }
+    for (std::size_t j = 0; j < 2 * lanes && l + j <= order; ++j)
+      row.responses[term_index(order, l + j)] = j < lanes ? first[int(j)] : second[int(j - lanes)];
+  }
+}
+
+/// What a row answers to the slopes of terms above the degree.
+inline void add_responses_of_slopes(const Moments& moments, std::size_t degree, Estimate_row& row)
+{
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = 0; i <= k; ++i)
+      for (std::size_t high = degree + 1; high <= highest_order; ++high)
+        for (std::size_t l = 0; l <= high; ++l)
+          row.responses[term_index(high, l)] +=
+              row.of_moments[term_index(k, i)] * moments.product_of_gradients(high, l, k, i);
+}
+
+/// The row for the j-th derivative of this order.
+inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& matrix, std::size_t degree,
+                                 std::size_t order, std::size_t j)
+{
+  Estimate_row row;
+  const std::size_t own = term_index(order, j);
+  const double factor = derivative_factor(order, j);
+  row.of_moments = matrix.column(order, j);
+  for (double& m : row.of_moments) m *= factor;
+  row.responses[own] = factor;
+  for (std::size_t high = degree + 1; high <= highest_order; ++high) add_responses(moments, degree, high, row);
+  if (moments.slope_weight > 0) add_responses_of_slopes(moments, degree, row);
+  return row;
+}
+
+/// The sum of the squares of all derivatives of an order, times their binomial coefficients, that a surface's terms of
+/// that order have in the mean if their coefficients are independent with variances binomial(order, j).
+inline double size_of_unit_terms(std::size_t order) { return double(order + 1) * factorial(order) * factorial(order); }
+
+/// What moments of slopes add to heights, without a defect of the slopes up to an order.
+inline Coefficients without_defect(const Moments& moments, std::size_t degree,
+                                   const numeric::Vector_field<double>& defect, std::size_t order)
+{
+  Coefficients heights = moments.heights;
+  const Moments::Terms& terms = moments.terms_of_slopes();
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t j = 0; j <= k; ++j) {
+      double of_x = 0, of_y = 0;
+      for (std::size_t l = 0; l <= order; ++l)
+        for (std::size_t i = 0; i <= l; ++i) {
+          if (j < k) of_x += defect.x.order(l)[i] * terms[term_index(k - 1 + l, j + i)];
+          if (j > 0) of_y += defect.y.order(l)[i] * terms[term_index(k - 1 + l, j - 1 + i)];
+        }
+      heights[term_index(k, j)] -= moments.slope_weight * (double(k - j) * of_x + double(j) * of_y);
+    }
+  return heights;
+}
+
+/// What the tangential parts of normals are more than the gradient of z (1 + n_z) / 2, by terms of the latter up to an
+/// order, 4 at most. To third order these are the potential's of the Gauss map.
+inline numeric::Vector_field<double> defect_of_slopes(numeric::Power_series<double> phi, std::size_t known)
+{
+  if (known == 4) {
+    const Gauss_map_defect<double> of_third_order = gauss_map_defect(phi);
+    for (std::size_t i = 0; i <= 4; ++i) phi.order(4)[i] -= of_third_order.heights.order(4)[i];
+  }
+  Gauss_map_defect<double> defect = gauss_map_defect(phi);
+  const numeric::Vector_field<double> of_heights = numeric::gradient(defect.heights);
+  for (std::size_t k = 0; k < phi.highest(); ++k)
+    for (std::size_t i = 0; i <= k; ++i) {
+      defect.slopes.x.order(k)[i] -= of_heights.x.order(k)[i];
+      defect.slopes.y.order(k)[i] -= of_heights.y.order(k)[i];
+    }
+  return defect.slopes;
+}
+
+/// The coefficients of z (1 + n_z) / 2 up to an order. What of the slopes is not its gradient is subtracted: it begins
+/// with order 3, and follows from terms of one order less, which each pass knows better.
+/// \return none if a further pass changes second derivatives by more than the first one, and not by rounding alone
+inline std::optional<Coefficients> solution_for_potential(const Moments& moments, const Normal_matrix& matrix,
+                                                          std::size_t degree, std::size_t order)
+{
+  const std::size_t order_of_slopes = std::max<std::size_t>(3, degree - 1),
+                    known = std::max<std::size_t>(2, degree - 2);
+  Coefficients solution = matrix.solution(moments.heights, std::max(known, order));
+  constexpr double rounding = 1e-8; // of squares
+  double first = 0;
+  for (std::size_t pass = 0; pass < degree / 2; ++pass) {
+    numeric::Power_series<double> phi(1, order_of_slopes + 1);
+    for (std::size_t k = 1; k <= known; ++k) std::copy_n(&solution[term_index(k, 0)], k + 1, phi.order(k));
+    const Coefficients before = solution;
+    solution = matrix.solution(without_defect(moments, degree, defect_of_slopes(phi, known), order_of_slopes),
+                               std::max(known, order));
+    double change = 0, size = 0;
+    for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) {
+      change += (solution[t] - before[t]) * (solution[t] - before[t]);
+      size += solution[t] * solution[t];
+    }
+    if (pass == 0) first = change;
+    else if (!(change <= std::max(first, rounding * size))) return std::nullopt;
+  }
+  return solution;
+}
+
+/// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
+/// coefficient, or the samples hardly determine it (noise would grow to more than 1000 / radius^order times the
+/// derivatives of a term with unit coefficients).
+/// \param with_rows which take the most time; they need moments of all orders
+inline Candidate candidate(const Moments& moments, std::size_t degree, std::size_t shell, double radius,
+                           std::size_t order, bool with_rows)
+{
+  Candidate result;
+  if (degree < order || moments.equations(degree, radius) < 1.3 * double(number_of_jet_coefficients(degree)))
+    return result;
+  const Normal_matrix matrix(moments, degree);
+  if (!matrix.is_regular()) return result;
+  const std::optional<Coefficients> found = moments.are_of_potentials
+                                                ? solution_for_potential(moments, matrix, degree, order)
+                                                : matrix.solution(moments.heights, order);
+  if (!found) return result;
+  const Coefficients& solution = *found;
+  result.height = solution[0];
+  result.slopes = {solution[1], solution[2]};
+  double bound = 1e6 * size_of_unit_terms(order);
+  for (std::size_t k = 0; k < order; ++k) bound /= radius * radius;
+  for (std::size_t j = 0; j <= order; ++j) {
+    const double factor = derivative_factor(order, j);
+    result.values[j] = factor * solution[term_index(order, j)];
+    result.variance += factor * factor * matrix.variance(order, j);
+  }
+  if (!(result.variance > 0 && result.variance < bound)) return result;
+  result.degree = degree;
+  result.shell = shell;
+  if (!with_rows) return result;
+  result.rows.reserve(order + 1);
+  for (std::size_t j = 0; j <= order; ++j) result.rows.push_back(estimate_row(moments, matrix, degree, order, j));
+  return result;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace averaging
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_AVERAGING_CANDIDATE_OF_MOMENTS_H
