@@ -195,7 +195,7 @@ public:
   static double risk(const Point_scale& scale)
   {
     double sum = 0;
-    for (const Chosen_fit& c : scale.curvatures) sum += c.squared_bias + c.variance;
+    for (const Chosen_fit& c : scale.curvatures) sum += c.risk();
     return sum;
   }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -48,6 +49,9 @@ struct Ladder
   bool with_normals;          ///< as data: fits are of the potential of the Gauss map
   std::size_t highest_choice; ///< the highest degree that may be chosen
   double patch; ///< the radius over which the bias is averaged: a compromise between the bias of one place, and chance
+
+  /// Those that the frame and the principal directions need.
+  std::size_t fewest_rungs() const { return std::min(axes + 1, radii.size()); }
 
   /// Whether what is taken for noise may be the shape: it is no small part of the balls with the fewest neighbors, and
   /// a quarter of it is uncertain, as other balls tell otherwise. Then nothing is known of the bias.

@@ -34,6 +34,8 @@ struct Chosen_fit
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double noise_factor = 1;               ///< of the noise, see Nested_fit
   Roundness round{};                     ///< of the heights that are fitted
+
+  double risk() const { return squared_bias + variance; }
 };
 
 /// Of the disk that has the area of the neighborhood.
