@@ -671,6 +671,24 @@ void outliers()
   }
 }
 
+// A cap of triangles around one vertex, of whose neighbors a part is visited.
+void large_fan()
+{
+  Analytic_mesh exact = torus(2, 1, 100, 50);
+  constexpr std::size_t spokes = 5000;
+  const std::size_t tip = exact.points.size();
+  exact.points.emplace_back(0, 0, 5);
+  for (std::size_t k = 0; k < spokes; ++k) {
+    const double angle = 2 * std::acos(-1.) * double(k) / double(spokes);
+    exact.points.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), 4);
+    exact.faces.push_back({tip, tip + 1 + k, tip + 1 + (k + 1) % spokes});
+  }
+  Noisy_mesh mesh(exact, 0);
+  const auto summary = mesh.estimate(jets::automatic(), 6);
+  check_equal(summary.estimated, exact.points.size(), "a torus and a large fan");
+  check_le(mesh.rms_error(0, tip), 1e-3, "a torus beside a large fan");
+}
+
 void misuse()
 {
   Noisy_mesh noisy(torus(2, 1, 60, 24), 0.005);
@@ -692,6 +710,16 @@ void misuse()
   too_noisy.position_noise = 1e300;
   check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, too_noisy); },
                                     {"position_noise", "1e+300"}, "a noise larger than the mesh");
+  jets::Options of_no_normals;
+  of_no_normals.normal_noise = 0.1;
+  check_throws<jets::Invalid_input>([&] { noisy.estimate(jets::automatic(), 2, of_no_normals); },
+                                    {"normal_noise", "alone", "use_normals"}, "noise of normals that are not used");
+  Noisy_mesh empty(Analytic_mesh(), 0);
+  jets::Options of_positions;
+  of_positions.position_noise = 0.001;
+  for (const jets::Options& with : {jets::Options(), of_positions})
+    check_throws<jets::Invalid_input>([&] { empty.estimate(jets::automatic(), 2, with); }, {"vertices", "none"},
+                                      "an empty mesh");
   Noisy_mesh tiny(sphere(1, 1), 0);
   check_throws<jets::Invalid_input>([&] { tiny.estimate(jets::automatic(), 2); }, {"too few"}, "an octahedron");
 }
@@ -723,6 +751,7 @@ int main()
   far_vertex();
   debris();
   outliers();
+  large_fan();
   misuse();
   return result();
 }

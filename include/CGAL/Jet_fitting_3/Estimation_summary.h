@@ -141,7 +141,8 @@ public:
     return n;
   }
 
-  /// Of one item that has been estimated, if the options asked for it; otherwise all zero.
+  /// Of one item that has been estimated, if the options asked for it; otherwise all zero but the scale, which is
+  /// always there with automatic().
   Fit_quality quality(const Item& item) const
   {
     const std::size_t i = m_number_of ? m_number_of(item) : m_qualities.size();

@@ -22,10 +22,13 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Collects vertices around one; keeps its tables from call to call. One a thread.
+/// Collects vertices around one; keeps its tables from call to call. One a thread. From the tip of a large fan it goes
+/// on to a part of the others, for all of them are near each.
 template <class Neighbors>
 class Walker
 {
+  static constexpr std::size_t most_edges = 1000;
+
 public:
   explicit Walker(const Surface_points<Neighbors>& surface) : m_surface(surface), m_seen(surface.points.size(), 0) {}
 
@@ -39,8 +42,9 @@ public:
     for (std::size_t k = 0, begin = 0; k < number; ++k) {
       const std::size_t end = found.size();
       for (; begin < end; ++begin)
-        for (const std::size_t v : m_surface.neighbors(found[begin]))
+        for_neighbors(found[begin], seed, [&](std::size_t v) {
           if (see(v)) found.push_back(v);
+        });
       ends.push_back(found.size());
     }
   }
@@ -101,7 +105,7 @@ public:
       const bool is_enough = disk.vertices.size() >= extent.least;
       const auto is_too_large = [&] { return disk.vertices.size() + m_shells[s].size() > extent.most; };
       for (std::size_t k = 0; k < m_shells[s].size() && !is_too_large() && !(is_enough && squares[s] > reach); ++k)
-        reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, in_units, squares, s, ellipse));
+        reach = std::min(reach, visit_neighbors(m_shells[s][k].vertex, seed, in_units, squares, s, ellipse));
       if (is_too_large() || (is_enough && squares[s] > reach)) return disk;
       for (const Found& found : m_shells[s]) {
         disk.vertices.push_back(found.vertex);
@@ -113,6 +117,14 @@ public:
   }
 
 private:
+  template <class Visit>
+  void for_neighbors(std::size_t vertex, std::size_t seed, const Visit& visit) const
+  {
+    const auto& neighbors = m_surface.neighbors(vertex);
+    const std::size_t count = neighbors.size(), step = vertex == seed || count == 0 ? 1 : (count - 1) / most_edges + 1;
+    for (std::size_t k = 0; k < count; k += step) visit(std::size_t(neighbors.begin()[std::ptrdiff_t(k)]));
+  }
+
   bool see(std::size_t v)
   {
     const bool is_new = m_seen[v] != m_turn;
@@ -135,23 +147,23 @@ private:
 
   // Puts them into shell s, or those farther out. Returns the smallest squared distance of those whose normals
   // are tilted too far.
-  double visit_neighbors(std::size_t vertex, const Local_frame& frame, const std::vector<double>& squares,
-                         std::size_t s, const Ellipse& ellipse)
+  double visit_neighbors(std::size_t vertex, std::size_t seed, const Local_frame& frame,
+                         const std::vector<double>& squares, std::size_t s, const Ellipse& ellipse)
   {
     double reach = std::numeric_limits<double>::infinity();
-    for (const std::size_t v : m_surface.neighbors(vertex)) {
-      if (!see(v)) continue;
+    for_neighbors(vertex, seed, [&](std::size_t v) {
+      if (!see(v)) return;
       const Vector_3<double> q = frame.in(m_surface.points[v]);
       const double square = ellipse.xx * q.x * q.x + ellipse.yy * q.y * q.y;
-      if (square > squares.back()) continue;
+      if (square > squares.back()) return;
       if (dot(m_surface.normals[v], frame.axes.z) < ellipse.least_z) {
         reach = std::min(reach, square);
-        continue;
+        return;
       }
       std::size_t own = s;
       while (square > squares[own]) ++own;
       m_shells[own].push_back({v, q});
-    }
+    });
     return reach;
   }
 

@@ -163,8 +163,10 @@ private:
     if (options.position_noise) noise.of_all.position = *options.position_noise * table.per_length();
     else noise = averaging::noise_of_surface(m_surface.surface());
     if (!std::isfinite(noise.of_all.position))
-      throw Invalid_input("automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
-                          " vertices: there are too few within three rings. Options::position_noise gives it");
+      throw Invalid_input(
+          "automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
+          " vertices: too few of them have enough others within three rings that do not coincide or lie "
+          "on a line (separate triangles have to be stitched first). Options::position_noise gives it");
     return noise;
   }
 
@@ -247,6 +249,7 @@ public:
   {
     check_options_for_automatic(options, m_points.per_length());
     check_degree_for_automatic(degrees.highest);
+    if (m_points.size() == 0) throw Invalid_input("automatic() needs a mesh with vertices: this one has none");
     const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
     m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, of_mesh, normals,
                                                                 Automatic_degrees{learned, degrees.highest},

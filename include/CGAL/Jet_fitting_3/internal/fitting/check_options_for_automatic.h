@@ -32,6 +32,8 @@ inline void check_options_for_automatic(const Options& options, double per_lengt
     throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
   if (options.use_normals) check_noise_with_normals(options);
   else check_noise(options);
+  if (options.normal_noise && !options.position_noise && !options.use_normals)
+    throw Invalid_input("normal_noise is given alone, and normals are not used: use_normals makes them data");
   if (options.position_noise && *options.position_noise * per_length > 1)
     throw Invalid_input("position_noise is larger than all distances of points: got " +
                         number_text(*options.position_noise));
