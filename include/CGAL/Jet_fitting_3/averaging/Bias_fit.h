@@ -115,7 +115,7 @@ private:
     return sum;
   }
 
-  // How much the line turns before the i-th; the first two are level.
+  // The second difference that ends with the i-th, i > 0; before the first one is the order's own.
   double bend(const Logarithms& x, std::size_t i) const { return x[i] - 2 * x[i - 1] + (i > 1 ? x[i - 2] : m_own); }
 
   // By how much the terms two orders on fall faster for each than those of a sphere with this curvature, which are 3

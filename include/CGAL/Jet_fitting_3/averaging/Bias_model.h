@@ -144,8 +144,8 @@ inline Choice choose(const Candidates& candidates, const Bias_model& model, cons
 /// What noise alone hardly ever causes, in errors of a comparison.
 constexpr double beyond_noise = 12;
 
-/// How many times the squared bias that a model predicts a vertex sees in comparisons of its own, by least squares.
-/// What noise may have caused counts less the larger it is.
+/// The factor by which a vertex sees more or less squared bias than a model predicts, in comparisons of its own, by
+/// least squares. What noise may have caused counts less the larger it is.
 inline double own_factor(const Bias_model& model, const Comparisons& own)
 {
   double product = 10, square = 10; // as if ten predictions, of all weight that there may be, had come true

@@ -42,7 +42,7 @@ inline double binomial(std::size_t n, std::size_t k)
   return all.of_terms[term_index(n, k)];
 }
 
-/// That of a number up to 6 or so, as a number.
+/// n!
 constexpr double factorial(std::size_t n) { return n < 2 ? 1 : double(n) * factorial(n - 1); }
 
 /// One linear estimate made by a fit.
@@ -83,8 +83,9 @@ struct Target
   std::size_t first, last;
 };
 
-/// The covariance of two estimates of an order per square of the noise, the first from fewer samples or as many: those
-/// of the second answer as if the first had been asked of its fit, which answers nothing to other orders of its degree.
+/// The covariance of two estimates of an order per square of the noise; the first is from some of the samples of the
+/// second, or all. What a sample weighs in the second is a polynomial with the coefficients `of_moments`, and the
+/// covariance is what the first answers to it: of terms up to its own degree only to those of the order.
 inline double covariance(const Estimate_row& fewer, const Estimate_row& more, std::size_t order,
                          std::size_t degree_of_fewer, std::size_t degree_of_more)
 {

@@ -37,7 +37,6 @@ struct Own_errors
   double variance = 0; ///< per square of the noise
   Of_orders terms{};   ///< squared bias per variance of the terms of each order
 
-  Own_errors() = default;
   Own_errors(const Candidate& c, const Target& target)
   {
     if (!c) return;

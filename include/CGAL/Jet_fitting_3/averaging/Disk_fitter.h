@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -103,19 +102,6 @@ struct Samples_with_slopes
   std::vector<Slope> slopes;
   std::vector<std::size_t> ends; ///< ends[j] is where shell j ends
 };
-
-/// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
-/// \tparam Add calls add<degree, order> of moments
-template <class Add>
-void add_for_degree(std::size_t degree, bool with_rows, const Add& add)
-{
-  using std::integral_constant;
-  constexpr std::size_t h = highest_degree;
-  if (with_rows) add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, h + highest_order>());
-  else if (degree <= 2) add(integral_constant<std::size_t, 2>(), integral_constant<std::size_t, 4>());
-  else if (degree <= 4) add(integral_constant<std::size_t, 4>(), integral_constant<std::size_t, 8>());
-  else add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, 2 * h>());
-}
 
 /// The candidates for derivatives of an order that are selected, from samples in a frame and a unit.
 /// \param with_slopes those of the samples that have slopes; may be none

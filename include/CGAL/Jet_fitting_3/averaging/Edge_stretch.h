@@ -57,17 +57,17 @@ inline Stretch stretch_in_plane(const Products& products, const Vector_3<double>
 
 /// By which angle the surface turns along an edge of the longer kind, from those at these points.
 template <class Neighbors>
-double turn_along(const Surface_points<Neighbors>& surface, const std::vector<std::size_t>& points,
-                  const Vector_3<double>& direction)
+double turn_along(const Surface_points<Neighbors>& surface, const Walker<Neighbors>& walker,
+                  const std::vector<std::size_t>& points, const Vector_3<double>& direction)
 {
   double turn = 0, square = 0, count = 0;
   for (const std::size_t i : points)
-    for (const std::size_t v : surface.neighbors(i)) {
+    walker.for_neighbors(i, points[0], [&](std::size_t v) {
       const double length = dot(surface.points[v] - surface.points[i], direction);
       turn += length * dot(surface.normals[v] - surface.normals[i], direction);
       square += length * length;
       count += 1;
-    }
+    });
   return square > 0 ? std::abs(turn) / square * std::sqrt(2 * square / count) : 0;
 }
 
@@ -87,7 +87,7 @@ std::vector<Stretch> stretches_around(const Surface_points<Neighbors>& surface)
     Products sum{0, 0, 0, 0, 0, 0};
     for (const std::size_t v : found) sum = sum + own[v];
     Stretch stretch = stretch_in_plane(sum, surface.normals[i]);
-    if (stretch.ratio > 1 && turn_along(surface, found, stretch.direction) > farthest) stretch = {};
+    if (stretch.ratio > 1 && turn_along(surface, walker, found, stretch.direction) > farthest) stretch = {};
     result.push_back(stretch);
   }
   return result;

@@ -149,10 +149,12 @@ Learned_places learn_disks(const Second_order_fits<Neighbors>& fits, const std::
   });
   std::vector<Whereabouts> centers;
   for (std::size_t m = 0; m < learned.models.size(); ++m) centers.push_back(learned.center_of(m));
-  for (std::size_t k = 0; k < learned.places.size(); ++k) {
-    learned.places[k].model = nearest_place(centers, learned.points[k]);
-    choose_in_disks(fits, learned.models[learned.places[k].model].of_all, learned.places[k]);
-  }
+  for_each(learned.places.size(), [&] {
+    return [&](std::size_t k) {
+      learned.places[k].model = nearest_place(centers, learned.points[k]);
+      choose_in_disks(fits, learned.models[learned.places[k].model].of_all, learned.places[k]);
+    };
+  });
   return learned;
 }
 

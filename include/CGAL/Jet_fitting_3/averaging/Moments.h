@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -54,14 +55,15 @@ struct Moments
   Coefficients heights{};         ///< of x^i y^j z, and what slopes add
   double slope_weight = 0;        ///< of the square of a slope, where slopes are data, that of a height being 1
   bool are_of_potentials = false; ///< heights z (1 + n_z) / 2, and tangential parts of normals in the place of slopes
-  bool have_all_slopes = true;    ///< else some samples have none, and the terms of the others are
-  Terms terms_of_some{};          ///< these
+  bool have_all_slopes = true;    ///< whether all samples have slopes
+  Terms terms_of_some{};          ///< sums of x^i y^j over those that have, if not all do
 
   /// Number of samples.
   double size() const { return terms[0]; }
   /// Of the samples that have slopes.
   const Terms& terms_of_slopes() const { return have_all_slopes ? terms : terms_of_some; }
-  /// Of samples within a radius, with slopes as far as they count as much as heights for terms of the degree.
+  /// How many a fit of this degree has within a radius: one a height and up to two a slope, fewer where slopes weigh
+  /// little.
   double equations(std::size_t degree, double radius) const
   {
     const double of_slope = slope_weight * double(degree * degree) / (radius * radius);
@@ -110,6 +112,19 @@ struct Moments
       }
   }
 };
+
+/// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
+/// \tparam Add calls add<degree, order> of moments
+template <class Add>
+void add_for_degree(std::size_t degree, bool with_rows, const Add& add)
+{
+  using std::integral_constant;
+  constexpr std::size_t h = highest_degree;
+  if (with_rows) add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, h + highest_order>());
+  else if (degree <= 2) add(integral_constant<std::size_t, 2>(), integral_constant<std::size_t, 4>());
+  else if (degree <= 4) add(integral_constant<std::size_t, 4>(), integral_constant<std::size_t, 8>());
+  else add(integral_constant<std::size_t, h>(), integral_constant<std::size_t, 2 * h>());
+}
 
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace averaging

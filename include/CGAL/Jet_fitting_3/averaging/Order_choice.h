@@ -76,7 +76,8 @@ public:
       return in_axes(frame.axes, round.axes,
                      mean(candidates, place.choices, is_reversed(place, frame.axes.x), own.unit));
     candidates = all_candidates(worker, i, frame);
-    return in_axes(frame.axes, round.axes, mean(candidates, choose_at(i, candidates, frame.axes.x), false, own.unit));
+    const Choices choices = choose_at(i, candidates, comparisons(candidates, i), frame.axes.x);
+    return in_axes(frame.axes, round.axes, mean(candidates, choices, false, own.unit));
   }
 
 private:
@@ -103,12 +104,13 @@ private:
       return [&, worker = m_fits.worker()](std::size_t k) mutable {
         const Local_frame frame = frame_at(worker, vertices[k]);
         m_places[k].axis = frame.axes.x;
-        look_at(m_places[k], all_candidates(worker, vertices[k], frame), m_fits.square_of_noise(vertices[k]));
+        look_at(m_places[k], all_candidates(worker, vertices[k], frame), vertices[k]);
       };
     });
     for_each(vertices.size(), [&] {
       return [&](std::size_t k) {
-        m_places[k].choices = choose_at(vertices[k], m_places[k].candidates, m_places[k].axis);
+        Place& place = m_places[k];
+        place.choices = choose_at(vertices[k], place.candidates, place.comparisons, place.axis);
       };
     });
     for (Place& place : m_places) {
@@ -124,11 +126,19 @@ private:
     return m_fits(worker, i, round, m_grid, Selection(m_grid, m_grid.radii.size()), true);
   }
 
-  void look_at(Place& place, Candidates candidates, double square_of_noise) const
+  // Of all targets.
+  std::vector<Comparisons> comparisons(const Candidates& candidates, Vertex i) const
+  {
+    std::vector<Comparisons> result;
+    for (const Target& target : m_targets)
+      result.push_back(compare_all(candidates, m_grid, target, m_fits.square_of_noise(i)));
+    return result;
+  }
+
+  void look_at(Place& place, Candidates candidates, Vertex i) const
   {
     place.candidates = std::move(candidates);
-    for (const Target& target : m_targets)
-      place.comparisons.push_back(compare_all(place.candidates, m_grid, target, square_of_noise));
+    place.comparisons = comparisons(place.candidates, i);
     place.variances.assign(m_grid.size(), 0);
     for (std::size_t c = 0; c < m_grid.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
@@ -153,17 +163,16 @@ private:
     return bias_model(means, m_grid, m_order, size / size_of_unit_terms(m_order));
   }
 
-  // By what the places around it say, and by its own candidates.
-  Choices choose_at(Vertex i, const Candidates& candidates, const Vector_3<double>& axis) const
+  // By what the places around it say, and by its own candidates, which say this of all targets.
+  Choices choose_at(Vertex i, const Candidates& candidates, const std::vector<Comparisons>& own,
+                    const Vector_3<double>& axis) const
   {
     const Near near = nearest_places(m_points, m_fits.place(i), patch + 1);
     const Bias_model of_all = model(near, all(), axis);
     Choices choices;
-    for (std::size_t j = 0; j < all(); ++j) {
-      const Comparisons own = compare_all(candidates, m_grid, m_targets[j], m_fits.square_of_noise(i));
-      choices.push_back(choose_with_own_say(candidates, own, model(near, j, axis), &of_all, m_grid, m_targets[j],
+    for (std::size_t j = 0; j < all(); ++j)
+      choices.push_back(choose_with_own_say(candidates, own[j], model(near, j, axis), &of_all, m_grid, m_targets[j],
                                             m_fits.square_of_noise(i)));
-    }
     return choices;
   }
 

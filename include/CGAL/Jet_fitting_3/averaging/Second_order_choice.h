@@ -59,7 +59,7 @@ public:
     plan_shapes(m_fits, m_learned, for_each);
   }
 
-  /// What is claimed at a place by disks.
+  /// The choice by disks at a place, for all second derivatives together.
   const Choice& choice(std::size_t place) const { return m_learned.places[place].choices[together]; }
   /// z_xx, sqrt(2) z_xy, z_yy at a place by disks, in axes that do not depend on the height before components are
   /// learned, per unit.
@@ -174,8 +174,6 @@ private:
       const double value = choice.exists() ? value_of(choice) : q[t], difference = value - q[t];
       // the risk of disks is that of all components together
       const bool is_taken = choice.exists() && choice.risk() <= in_disks.risk() && beside_disks(value) <= far;
-      result.variances[t] = is_taken ? choice.variance : in_disks.variance;
-      result.squared_biases[t] = is_taken ? choice.squared_bias : in_disks.squared_bias;
       if (t != 1) {
         Interval_error& e = result.errors[t / 2];
         if (is_taken) {
@@ -186,6 +184,8 @@ private:
       }
       if (!is_taken) continue;
       q[t] = value;
+      result.variances[t] = choice.variance;
+      result.squared_biases[t] = choice.squared_bias;
       result.choices[t] = std::move(choice);
     }
   }

@@ -52,7 +52,7 @@ struct Second_order_estimate
 {
   Local_frame frame;
   double x = 0, y = 0;                    ///< z_x, z_y
-  double tilt = 0;                        ///< of the tangent plane from fits, where these are not as certain as it
+  double tilt = 0;                        ///< between the tangent plane and the fits, either of which may be wrong
   double xx = 0, xy = 0, yy = 0;          ///< in 1 / length
   std::array<double, 3> variances{};      ///< of xx, sqrt(2) xy, yy
   std::array<double, 3> squared_biases{}; ///< estimated, likewise

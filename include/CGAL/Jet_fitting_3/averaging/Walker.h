@@ -39,14 +39,18 @@ public:
     found.assign(1, seed);
     ends.assign(1, 1);
     m_seen[seed] = m_turn;
-    for (std::size_t k = 0, begin = 0; k < number; ++k) {
-      const std::size_t end = found.size();
-      for (; begin < end; ++begin)
-        for_neighbors(found[begin], seed, [&](std::size_t v) {
-          if (see(v)) found.push_back(v);
-        });
-      ends.push_back(found.size());
-    }
+    for (std::size_t k = 0; k < number; ++k) add_ring(seed, found, ends);
+  }
+
+  /// One more than the last call of rings() and this found.
+  void add_ring(std::size_t seed, std::vector<std::size_t>& found, std::vector<std::size_t>& ends)
+  {
+    const std::size_t end = found.size();
+    for (std::size_t k = ends.size() > 1 ? ends[ends.size() - 2] : 0; k < end; ++k)
+      for_neighbors(found[k], seed, [&](std::size_t v) {
+        if (see(v)) found.push_back(v);
+      });
+    ends.push_back(found.size());
   }
 
   /// The first rings, of `fewest` to six, that have so many vertices, and one ring more.
@@ -55,10 +59,21 @@ public:
                           std::vector<std::size_t>& ends)
   {
     constexpr std::size_t most = 6;
-    rings(seed, most + 1, found, ends);
+    rings(seed, fewest, found, ends);
     std::size_t number = fewest;
-    while (number < most && ends[number] < least) ++number;
+    for (; number < most && ends[number] < least; ++number) add_ring(seed, found, ends);
+    add_ring(seed, found, ends);
     return number;
+  }
+
+  /// Calls visit(v) for the neighbors, or a part of them where they are many.
+  /// \param seed a vertex all of whose neighbors are visited
+  template <class Visit>
+  void for_neighbors(std::size_t vertex, std::size_t seed, const Visit& visit) const
+  {
+    const auto& neighbors = m_surface.neighbors(vertex);
+    const std::size_t count = neighbors.size(), step = vertex == seed || count == 0 ? 1 : (count - 1) / most_edges + 1;
+    for (std::size_t k = 0; k < count; k += step) visit(std::size_t(neighbors.begin()[std::ptrdiff_t(k)]));
   }
 
   /// Some of the vertices around one, from inside out.
@@ -117,14 +132,6 @@ public:
   }
 
 private:
-  template <class Visit>
-  void for_neighbors(std::size_t vertex, std::size_t seed, const Visit& visit) const
-  {
-    const auto& neighbors = m_surface.neighbors(vertex);
-    const std::size_t count = neighbors.size(), step = vertex == seed || count == 0 ? 1 : (count - 1) / most_edges + 1;
-    for (std::size_t k = 0; k < count; k += step) visit(std::size_t(neighbors.begin()[std::ptrdiff_t(k)]));
-  }
-
   bool see(std::size_t v)
   {
     const bool is_new = m_seen[v] != m_turn;

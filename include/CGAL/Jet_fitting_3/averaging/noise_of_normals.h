@@ -35,8 +35,10 @@ public:
     for (const Vector_3<double>& n : m_normals) slopes.push_back(*slope_of(n));
     Moments moments;
     moments.slope_weight = 1e12; // heights have no say
-    moments.add<highest_degree>(m_places.data(), m_places.size());
-    moments.add_slopes<highest_degree>(m_places.data(), slopes.data(), m_places.size());
+    add_for_degree(degree, false, [&](auto highest, auto) {
+      moments.add<highest>(m_places.data(), m_places.size());
+      moments.add_slopes<highest>(m_places.data(), slopes.data(), m_places.size());
+    });
     const Normal_matrix matrix(moments, degree);
     if (matrix.is_regular()) m_solution = matrix.solution(moments.heights, degree);
   }

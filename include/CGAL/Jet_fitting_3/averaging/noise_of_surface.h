@@ -86,8 +86,8 @@ inline scale::Polynomial_value value_at(const Coefficients& c, std::size_t degre
   return value;
 }
 
-/// The mean square of what a fit leaves to so many rings, per degree of freedom, or infinity. Noise along the surface,
-/// which shows where it slopes, is taken out, and the median is made that of the variance.
+/// The mean square of what a fit leaves to the first `count` vertices, per degree of freedom, or infinity. Noise along
+/// the surface, which shows where it slopes, is taken out, and the median is made that of the variance.
 template <class Neighbors>
 double residual_variance(const Surface_points<Neighbors>& surface, const Local_frame& frame,
                          const std::vector<std::size_t>& vertices, std::size_t count, std::size_t degree, double unit)
@@ -98,7 +98,7 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   std::vector<Vector_3<double>> local;
   for (std::size_t k = 0; k < count; ++k) local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
   Moments moments;
-  moments.add<highest_degree>(local.data(), local.size());
+  add_for_degree(degree, false, [&](auto highest, auto) { moments.add<highest>(local.data(), local.size()); });
   const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
   if (!matrix.is_regular() || !of_slopes.is_regular()) return unknown;
   const auto c = matrix.solution(moments.heights, degree), flat = of_slopes.solution(moments.heights, 2);
@@ -137,7 +137,7 @@ struct Variances_of_surface
   }
 };
 
-/// The number, frame and rings of about 200 vertices.
+/// Calls visit(number, frame, vertices, ends of the rings) for about 200 vertices.
 template <class Neighbors, class Visit>
 void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, const Visit& visit)
 {
@@ -159,7 +159,8 @@ bool turns_too_far(const Surface_points<Neighbors>& surface, const Local_frame& 
                      [&](std::size_t v) { return dot(surface.normals[v], frame.axes.z) < least_cosine_of_heights; });
 }
 
-/// What is left at a place by fits of two degrees, of the higher one for more rings: infinite where that is not known.
+/// Variances of what fits of two degrees leave at a place, by degree and ring; of the lower degree for the first
+/// least_rings only. Infinite where they are not known.
 struct Residuals_at_place
 {
   static constexpr std::size_t rings = 6, least_rings = 3;

@@ -123,13 +123,17 @@ void plan_shapes(const Second_order_fits<Neighbors>& fits, Learned_places& learn
                                          place.vertex, s, t, &models.of_all);
     };
   });
-  for (std::size_t k = 0; k < learned.places.size(); ++k)
-    learned.places[k].choices = planned_choices(fits, learned, choices, k);
-  for (Learned_place& place : learned.places) {
-    select_candidates(fits, learned.models[place.model], place);
-    place.candidates = {};
-    place.comparisons = {};
-  }
+  for_each(learned.places.size(), [&] {
+    return [&](std::size_t k) { learned.places[k].choices = planned_choices(fits, learned, choices, k); };
+  });
+  for_each(learned.places.size(), [&] {
+    return [&](std::size_t k) {
+      Learned_place& place = learned.places[k];
+      select_candidates(fits, learned.models[place.model], place);
+      place.candidates = {};
+      place.comparisons = {};
+    };
+  });
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

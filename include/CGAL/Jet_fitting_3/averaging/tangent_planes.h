@@ -73,9 +73,10 @@ std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface,
   const Local_frame frame{coarse.origin, axes_around(surface, i, coarse.normal)};
   const auto variance_of_slopes = [](const Normal_matrix& m) { return m.variance(1, 0) + m.variance(1, 1); };
   std::vector<std::size_t> found, ends;
-  walker.rings(i, 6, found, ends);
+  walker.rings(i, 3, found, ends);
   std::vector<Vector_3<double>> places;
   for (const std::size_t rings : {3, 4, 5, 6}) {
+    if (rings > 3) walker.add_ring(i, found, ends);
     for (std::size_t k = places.size(); k < ends[rings]; ++k)
       places.push_back(1 / unit * frame.in(surface.points[found[k]]));
     if (places.size() < least) continue;

@@ -135,10 +135,11 @@ private:
     const std::optional<std::size_t> level = m_high.is_used() ? m_automatic.level(i, near) : std::nullopt;
     const auto* chosen = level ? m_high.near(i, m_automatic.ladder(*level)) : nullptr;
     if (!chosen) return m_automatic(i, near);
-    const auto high = m_high.choice_at(i, *chosen, m_automatic.ladder(*level), *level, near, solver);
-    if (high && m_high.risk(*high) <= 8 * chosen->risk) return *high;
-    const Point_scale low = m_automatic(i, near);
-    return high && m_high.risk(*high) < m_high.risk(low) ? *high : low;
+    auto high = m_high.choice_at(i, *chosen, m_automatic.ladder(*level), *level, near, solver);
+    if (high && m_high.risk(*high) <= 8 * chosen->risk) return *std::move(high);
+    Point_scale low = m_automatic(i, near);
+    if (high && m_high.risk(*high) < m_high.risk(low)) return *std::move(high);
+    return low;
   }
 
   template <class For_each>

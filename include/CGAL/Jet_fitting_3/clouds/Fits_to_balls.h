@@ -53,10 +53,10 @@ public:
   Basis_3<double> axes(const Vertex&, const Basis_3<double>& axes) const { return axes; }
 
   averaging::Candidates operator()(Worker& near, const Vertex& v, const Local_frame& frame,
-                                   const averaging::Candidate_grid& radii, const averaging::Selection& selection,
+                                   const averaging::Candidate_grid& grid, const averaging::Selection& selection,
                                    bool with_rows) const
   {
-    if (selection.shells() == 0) return averaging::Candidates(radii.size());
+    if (selection.shells() == 0) return averaging::Candidates(grid.size());
     const Ladder& ladder = *v.ladder;
     const std::size_t rungs = std::min(ladder.first + selection.shells(), ladder.radii.size());
     m_within(v.index, reach(m_cloud, ladder, rungs), near);
@@ -68,7 +68,7 @@ public:
       moments.slope_weight = weights.slope / weights.height;
       moments.are_of_potentials = true;
     }
-    return averaging::fits_to_shells(samples.places, samples.with_slopes, samples.ends, moments, radii, m_order,
+    return averaging::fits_to_shells(samples.places, samples.with_slopes, samples.ends, moments, grid, m_order,
                                      selection, with_rows);
   }
 

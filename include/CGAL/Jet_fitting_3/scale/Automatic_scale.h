@@ -104,11 +104,12 @@ public:
     std::optional<Local_frame> frame;
     if (!nearby.looks.empty()) {
       const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1}, {}, nearby.looks};
-      const Point_scale scale = choose_at(i, member, wanted, nearby.looks.front().rung, frame, near);
+      Point_scale scale = choose_at(i, member, wanted, nearby.looks.front().rung, frame, near);
       if (nearby.is_as_good(scale)) return scale;
     }
-    const Point_scale scale = choose_at(i, member, learned.wanted, rung_of_neighbors(ladder), frame, near);
-    return scale.is_chosen && scale.has_neighbors ? scale : without_bias(i, near);
+    Point_scale scale = choose_at(i, member, learned.wanted, rung_of_neighbors(ladder), frame, near);
+    if (scale.is_chosen && scale.has_neighbors) return scale;
+    return without_bias(i, near);
   }
 
 private:
@@ -121,9 +122,10 @@ private:
     const Learned_choice& learned = m_learned[member];
     m_within(i, reach(m_cloud, ladder, wanted.end()), near);
     if (!frame) frame = local_frame(m_cloud, near, i, ladder);
-    const Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
-                                             learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
+    Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
+                                       learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
     Point_scale scale = choose(local, learned.table, ladder);
+    scale.over_surface = std::move(local.over_surface);
     scale.level = m_sample.levels[member];
     scale.has_neighbors = has_neighbors(local, rung_of_neighbors);
     return scale;

@@ -336,9 +336,10 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
     if (other_shape(target, ladder) != Shape::ball)
       table[target].in_others = bias_in_shape(patch, ladder, target, other_shape(target, ladder), end);
   }
-  if (!ladder.with_normals)
-    for (const auto shape : {&Bias_of_target::in_balls, &Bias_of_target::in_others})
-      expect_falling_terms(table, shape, squared_curvature(patch, ladder));
+  if (ladder.with_normals) return table;
+  const double square = squared_curvature(patch, ladder);
+  for (const auto shape : {&Bias_of_target::in_balls, &Bias_of_target::in_others})
+    expect_falling_terms(table, shape, square);
   return table;
 }
 

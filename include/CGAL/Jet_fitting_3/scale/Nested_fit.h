@@ -121,6 +121,7 @@ private:
   void leave_out_what_lines_hide(const Shell_sums& sums, double weight)
   {
     constexpr double most_gain = 100;
+    if (!determines(2)) return;
     // as many as the mean of the squares of terms takes
     constexpr std::array<std::array<double, 2>, 5> directions{{{1, 0},
                                                                {0.80901699437494742, 0.58778525229247313},

@@ -116,7 +116,6 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
 {
   Point_scale scale;
   scale.frame = local.frame;
-  scale.over_surface = local.over_surface;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
     const double least = choose(local, table[target], Shape::ball, target, ladder, unknown, choice);

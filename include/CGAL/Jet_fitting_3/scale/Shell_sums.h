@@ -94,7 +94,6 @@ struct Round_sums : Shell_sums
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = a; b < 3; ++b) products[a][b] += rights[a] * rights[b];
     }
-    squared_heights = products[0][0];
   }
 
   /// Less some of the neighbors, which were added to both.
@@ -108,7 +107,6 @@ struct Round_sums : Shell_sums
     subtract_all(of_squares, other.of_squares);
     subtract_all(of_cubes, other.of_cubes);
     for (std::size_t a = 0; a < 3; ++a) subtract_all(products[a], other.products[a]);
-    squared_heights -= other.squared_heights;
     return *this;
   }
 };

@@ -23,8 +23,8 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// About so many places of a cloud, spread over the order of its points; their number is what the size allows. One in
-/// each stretch, at a place that drifts by the golden ratio, so that no period of the order is met.
+/// One of each `stride` indices below the size, at a place that drifts by the golden ratio, so that no period of the
+/// order is met.
 inline Indices spread_indices(std::size_t size, std::size_t stride)
 {
   Indices result;
@@ -74,7 +74,7 @@ struct Residuals_of_balls
 /// At about so many places noise is estimated.
 constexpr std::size_t places_of_noise = 200;
 
-/// Points of a cloud that are spread over its order, but outliers.
+/// Points of a cloud that are spread over its order, without outliers.
 inline Indices spread_places(const Cloud& cloud, std::size_t stride)
 {
   Indices result = spread_indices(cloud.size, stride);

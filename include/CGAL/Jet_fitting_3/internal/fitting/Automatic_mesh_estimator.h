@@ -35,6 +35,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -93,8 +94,7 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
                   const Automatic_degrees& degrees, const Options& options)
-    : m_degrees(degrees),
-      m_surface(tables, of_mesh, normals.are_data(), options.loss == Loss::tukey, For_each_with_body<ConcurrencyTag>()),
+    : m_surface(tables, of_mesh, normals.are_data(), options.loss == Loss::tukey, For_each_with_body<ConcurrencyTag>()),
       m_noise(noise(tables.points, options)), m_squares_of_noise(squares_of_noise()),
       m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
                degrees.highest, For_each_with_body<ConcurrencyTag>())
@@ -113,7 +113,7 @@ public:
   /// In units.
   const Noise& noise() const { return m_noise.of_all; }
 
-  /// By no neighborhood of a vertex it is exceeded. In the unit of the tables.
+  /// No neighborhood of the vertex has a larger radius. In the unit of the tables.
   double largest_radius(Index i) const { return averaging::largest_radius * m_surface.surface().units[i]; }
 
   /// \param order at most that which is learned
@@ -222,7 +222,6 @@ private:
     m_surface.take_normals(std::move(sound.normals), noise.normal, m_squares_of_noise);
   }
 
-  Automatic_degrees m_degrees;
   Unit_surface m_surface;
   averaging::Surface_noise m_noise;
   std::vector<double> m_squares_of_noise;

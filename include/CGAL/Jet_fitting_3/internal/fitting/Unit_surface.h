@@ -104,8 +104,8 @@ public:
     return result;
   }
 
-  /// Takes the normals from fits, which are more exact. They, which are those of the planes as well, and those that the
-  /// fits begin with are averaged as noise asks for.
+  /// Replaces the normals by those of tangent planes, which are more exact. Noise tells how often normals are averaged,
+  /// before the fits and after them.
   /// \param squares_of_noise of each point, in squares of its unit
   template <class For_each>
   void take_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
