@@ -235,7 +235,7 @@ void short_waves()
     waves.estimate(jets::k_rings(2), 4);
     const double fixed = waves.rms_error(inside);
     const auto summary = waves.estimate(jets::automatic(), 6);
-    check_le(waves.rms_error(inside), 1.2 * fixed, name + ", beside the best fixed choice");
+    check_le(waves.rms_error(inside), 1.2 * fixed, name + ", beside degree 4 and two rings");
     check_le(summary.noise.position, 0.1 * a, name + ", the noise of exact positions");
   }
 }

@@ -67,6 +67,15 @@ inline bool is_used(const Choice& choice, std::size_t candidate)
   return choice.exists() && choice.weights[candidate] > 0.02;
 }
 
+/// Whether the candidates that a choice uses exist, with variances of at most so many times those where it was made.
+inline bool holds(const Choice& choice, const Candidates& candidates, const std::vector<double>& variances, double more)
+{
+  if (!choice.exists()) return false;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    if (is_used(choice, c) && !(candidates[c] && candidates[c].variance <= more * variances[c])) return false;
+  return true;
+}
+
 /// What a choice is a mean of.
 struct Mean_scale
 {

@@ -63,6 +63,13 @@ struct Learned_places
   double variation = 0;               ///< of the curvatures
 
   const Learned_place& place_of(std::size_t model) const { return places[model * places_per_model]; }
+  /// Those that a model learns from.
+  std::vector<std::size_t> patch_of(const Learned_models& model) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < std::min(patch, model.near.size()); ++k) result.push_back(model.near[k].second);
+    return result;
+  }
   const Whereabouts& center_of(std::size_t model) const { return points[model * places_per_model]; }
 
   /// Means over a part of the surface err by less than curvatures differ on all of it. In 1 / length^2.
@@ -80,13 +87,12 @@ Bias_model model_of(const Learned_places& learned, std::size_t m, const Candidat
 {
   const Whereabouts& center = learned.center_of(m);
   const Near& near = learned.models[m].near;
-  const std::size_t count = std::min(Learned_places::patch, near.size());
+  const std::vector<std::size_t> patch = learned.patch_of(learned.models[m]);
   std::vector<const Comparisons*> members;
   double size = 0, square = squared_distance(center.point, learned.points[near.back().second].point);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t place = near[k].second;
+  for (const std::size_t place : patch) {
     square = std::max(square, squared_distance(center.point, learned.points[place].point));
-    size += learned.places[place].own_size / double(count);
+    size += learned.places[place].own_size / double(patch.size());
     if (const Comparisons* member = comparisons_at(place)) members.push_back(member);
   }
   const Comparisons means = patch_means(members, grid, std::sqrt(square) / center.unit, target);

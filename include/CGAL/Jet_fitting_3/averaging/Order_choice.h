@@ -178,12 +178,8 @@ private:
 
   bool is_like(const Place& place, const Candidates& candidates) const
   {
-    for (const Choice& choice : place.choices) {
-      if (!choice.exists()) return false;
-      for (std::size_t c = 0; c < candidates.size(); ++c)
-        if (is_used(choice, c) && !(candidates[c] && candidates[c].variance <= 1.5 * place.variances[c])) return false;
-    }
-    return true;
+    return std::all_of(place.choices.begin(), place.choices.end(),
+                       [&](const Choice& choice) { return holds(choice, candidates, place.variances, 1.5); });
   }
 
   // Whether the first principal direction at the place is rather the second of these axes.

@@ -112,12 +112,7 @@ private:
   // Whether the candidates that a choice at a place uses exist and are about as certain.
   static bool holds(const Choice& choice, const Learned_place& place, const Candidates& candidates)
   {
-    constexpr double more = 4;
-    if (!choice.exists()) return false;
-    for (std::size_t c = 0; c < candidates.size(); ++c)
-      if (is_used(choice, c) && !(candidates[c] && candidates[c].variance <= more * place.variances[choice.shape][c]))
-        return false;
-    return true;
+    return averaging::holds(choice, candidates, place.variances[choice.shape], 4);
   }
 
   // With rows: those that are promising at a place, or all where none of them exists.

@@ -20,11 +20,11 @@ namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// What is best of slopes over tangent planes, in a patch. \param squares of the slopes at all places
-inline double part_of_slopes(const Learned_places& learned, const Near& near, const std::vector<double>& squares)
+inline double part_of_slopes(const Learned_places& learned, const std::vector<std::size_t>& patch,
+                             const std::vector<double>& squares)
 {
   double square = 0, risk = 0;
-  for (std::size_t k = 0; k < std::min(Learned_places::patch, near.size()); ++k) {
-    const std::size_t member = near[k].second;
+  for (const std::size_t member : patch) {
     if (!learned.places[member].of_slopes.exists()) continue;
     square += squares[member];
     risk += learned.places[member].of_slopes.risk();
@@ -69,7 +69,7 @@ void learn_slopes(const Second_order_fits<Neighbors>& fits, Learned_places& lear
     };
   });
   for (Learned_models& of_places : learned.models)
-    of_places.part_of_slopes = part_of_slopes(learned, of_places.near, squares);
+    of_places.part_of_slopes = part_of_slopes(learned, learned.patch_of(of_places), squares);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -124,11 +124,9 @@ void plan_shapes(const Second_order_fits<Neighbors>& fits, Learned_places& learn
     };
   });
   for_each(learned.places.size(), [&] {
-    return [&](std::size_t k) { learned.places[k].choices = planned_choices(fits, learned, choices, k); };
-  });
-  for_each(learned.places.size(), [&] {
     return [&](std::size_t k) {
       Learned_place& place = learned.places[k];
+      place.choices = planned_choices(fits, learned, choices, k);
       select_candidates(fits, learned.models[place.model], place);
       place.candidates = {};
       place.comparisons = {};

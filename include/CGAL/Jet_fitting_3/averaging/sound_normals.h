@@ -65,9 +65,9 @@ std::vector<double> differences_from_slopes(const Surface_points<Neighbors>& sur
             ends = std::vector<std::size_t>()](std::size_t i) mutable {
       const Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
       if (!slope_of(frame.axes.in(given[i]))) return;
-      walker.rings(i, 3, found, ends);
-      const std::size_t count = ends[2] < enough ? ends[3] : ends[2];
-      result[i] = fit_to_slopes(surface, given, frame, found, count, degree, surface.units[i])
+      walker.rings(i, 2, found, ends);
+      if (found.size() < enough) walker.add_ring(i, found, ends);
+      result[i] = fit_to_slopes(surface, given, frame, found, found.size(), degree, surface.units[i])
                       .difference_of_first()
                       .value_or(-1);
     };

@@ -73,12 +73,8 @@ inline void learn_variation(Learned_places& learned, Height height)
   std::vector<std::size_t> every(learned.places.size());
   std::iota(every.begin(), every.end(), std::size_t(0));
   learned.variation = variation_of_curvatures(learned, every, height);
-  for (Learned_models& models : learned.models) {
-    std::vector<std::size_t> members;
-    const Near& near = models.near;
-    for (std::size_t k = 0; k < std::min(Learned_places::patch, near.size()); ++k) members.push_back(near[k].second);
-    models.variation = variation_of_curvatures(learned, members, height);
-  }
+  for (Learned_models& models : learned.models)
+    models.variation = variation_of_curvatures(learned, learned.patch_of(models), height);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -152,7 +152,7 @@ private:
 
   Indices some_learned(std::size_t most) const
   {
-    const Indices learned = m_automatic.learned();
+    const Indices& learned = m_automatic.learned();
     Indices some;
     for (const std::size_t k : averaging::spread_vertices(learned.size(), most)) some.push_back(learned[k]);
     return some;

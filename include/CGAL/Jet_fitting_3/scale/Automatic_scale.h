@@ -83,13 +83,7 @@ public:
   }
 
   /// The subsample.
-  Indices learned() const
-  {
-    Indices result;
-    for (std::size_t i = 0; i < m_cloud.size; ++i)
-      if (m_sample.numbers[i] != Subsample::none) result.push_back(i);
-    return result;
-  }
+  const Indices& learned() const { return m_sample.points; }
 
   /// The choice at point i; from positions alone that of the nearest point of the subsample, with the fits of point i,
   /// unless they are much worse. May be called by several threads, with lists of indices of their own, which hold the

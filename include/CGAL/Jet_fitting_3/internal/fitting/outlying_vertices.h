@@ -116,12 +116,11 @@ bool is_outstanding(averaging::Walker<Neighbors>& walker, const std::vector<doub
 
 /// Whether vertices are far from the surface of their neighbors, or from these, while others around are not.
 template <class Neighbors>
-std::vector<char> are_outstanding(const averaging::Surface_points<Neighbors>& surface, const Beside_others& beside)
+std::vector<char> are_outstanding(averaging::Walker<Neighbors>& walker, const Beside_others& beside)
 {
   constexpr double outside = 2, rounding = 1e-6;
   const double least = (std::max)(rounding, averaging::far_from_most(beside.surface));
-  averaging::Walker<Neighbors> walker(surface);
-  std::vector<char> result(surface.points.size());
+  std::vector<char> result(beside.surface.size());
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = is_outstanding(walker, beside.middle, i, outside) || is_outstanding(walker, beside.surface, i, least);
   return result;
@@ -129,13 +128,12 @@ std::vector<char> are_outstanding(const averaging::Surface_points<Neighbors>& su
 
 /// Those that were looked at with one of these vertices among the ones around.
 template <class Neighbors>
-std::vector<std::size_t> seen_from(const averaging::Surface_points<Neighbors>& surface,
-                                   const std::vector<std::size_t>& vertices, const Beside_others& beside)
+std::vector<std::size_t> seen_from(averaging::Walker<Neighbors>& walker, const std::vector<std::size_t>& vertices,
+                                   const Beside_others& beside)
 {
   const std::size_t most = *std::max_element(beside.rings.begin(), beside.rings.end());
-  averaging::Walker<Neighbors> walker(surface);
   std::vector<std::size_t> found, ends;
-  std::vector<char> is_one(surface.points.size());
+  std::vector<char> is_one(beside.rings.size());
   for (const std::size_t vertex : vertices) {
     walker.rings(vertex, most, found, ends);
     for (std::size_t ring = 0, k = 0; ring <= most; ++ring)
@@ -161,6 +159,7 @@ std::vector<char> outlying_vertices(const std::vector<Vector_3<double>>& points,
   const std::vector<double> no_units;
   const averaging::Surface_points<Edges_of_nodes> whole{points, no_normals, {&adjacency}, no_units};
   averaging::Surface_points<Edges_of_nodes> surface = whole;
+  averaging::Walker<Edges_of_nodes> on_whole(whole), on_surface(surface);
   Adjacency without_outliers;
   Beside_others beside{std::vector<double>(size), std::vector<double>(size), std::vector<std::size_t>(size)};
   std::vector<char> outliers(size), before(size);
@@ -168,14 +167,14 @@ std::vector<char> outlying_vertices(const std::vector<Vector_3<double>>& points,
   std::iota(vertices.begin(), vertices.end(), std::size_t(0));
   for (int round = 0; round < most_rounds; ++round) {
     look_at(vertices, surface, for_each, beside);
-    before = std::exchange(outliers, are_outstanding(surface, beside));
+    before = std::exchange(outliers, are_outstanding(on_surface, beside));
     vertices.clear();
     for (std::size_t i = 0; i < size; ++i)
       if (outliers[i] != before[i]) vertices.push_back(i);
     if (vertices.empty()) break;
     without_outliers = adjacency.filtered([&](Index, Index neighbor) { return !outliers[neighbor]; });
     surface.neighbors = {&without_outliers};
-    vertices = seen_from(whole, vertices, beside);
+    vertices = seen_from(on_whole, vertices, beside);
   }
   for (std::size_t i = 0; i < size; ++i) outliers[i] = outliers[i] && before[i];
   return outliers;
