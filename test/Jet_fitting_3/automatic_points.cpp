@@ -13,11 +13,13 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -193,6 +195,57 @@ void without_noise()
     }
     check_le(rms_error(forms), best / 2, "error without noise, beside the best fixed choice of degree 4");
   }
+}
+
+// A bump, h exp(-(x^2 + y^2) / 2 s^2), in a plane of 3600 points, most of which know nothing of it: its errors within
+// 3 s, beside those of the best of some fixed choices, and how many of the intervals there hold k1 and k2.
+void bump_in_a_plane(double s, double noise, double most)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-0.3, 0.3);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<Oriented> points;
+  std::vector<std::size_t> on_bump;
+  std::vector<std::array<double, 2>> curvatures;
+  for (int i = 0; i < 3600; ++i) {
+    const double x = i % 60 - 30 + uniform(random), y = double(i / 60 - 30) + uniform(random);
+    const double z = 0.6 * s * std::exp(-(x * x + y * y) / (2 * s * s)), z_x = -x / (s * s) * z, z_y = -y / (s * s) * z;
+    const double z_xx = (x * x / (s * s) - 1) / (s * s) * z, z_yy = (y * y / (s * s) - 1) / (s * s) * z;
+    const double z_xy = x * y / (s * s * s * s) * z, square = 1 + z_x * z_x + z_y * z_y, length = std::sqrt(square);
+    const double mean =
+        ((1 + z_y * z_y) * z_xx - 2 * z_x * z_y * z_xy + (1 + z_x * z_x) * z_yy) / (2 * square * length);
+    const double gauss = (z_xx * z_yy - z_xy * z_xy) / (square * square);
+    const double half = std::sqrt(std::max(0., mean * mean - gauss));
+    const Kernel::Vector_3 up(-z_x / length, -z_y / length, 1 / length);
+    if (std::hypot(x, y) < 3 * s) on_bump.push_back(points.size());
+    points.emplace_back(Kernel::Point_3(x, y, z) + noise * normal(random) * up, up);
+    curvatures.push_back({mean + half, mean - half});
+  }
+  const auto error = [&](const std::vector<Form>& forms) {
+    double squares = 0;
+    for (const std::size_t i : on_bump)
+      for (const std::size_t k : {std::size_t(0), std::size_t(1)})
+        squares += std::pow(forms[i].principal_curvatures(k) - curvatures[i][k], 2);
+    return std::sqrt(squares / double(2 * on_bump.size()));
+  };
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t degree : {std::size_t(4), std::size_t(6)})
+    for (const std::size_t count : {20, 28, 36, 50, 80})
+      if (count >= jets::number_of_jet_coefficients(degree))
+        best = std::min(best, error(forms_of(points, jets::nearest(count), degree)));
+  std::vector<Form> forms;
+  const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                      .normal_map(CGAL::Second_of_pair_property_map<Oriented>())
+                      .degree_monge(2);
+  const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms), np);
+  const std::string name = "a bump of " + text(s) + " spacings with noise " + text(noise);
+  check_le(error(forms), most * best, name + ": error beside the best fixed choice");
+  std::size_t held = 0;
+  for (const std::size_t i : on_bump)
+    for (const std::size_t k : {std::size_t(0), std::size_t(1)})
+      held += std::abs(forms[i].principal_curvatures(k) - curvatures[i][k]) <=
+              1.96 * summary.quality(i).scale.curvature_errors[k];
+  check_ge(double(held), 0.85 * double(2 * on_bump.size()), name + ": intervals that hold the curvature");
 }
 
 // Points on a line determine no surface. On a plane, with noise and without, directions mean little.
@@ -608,6 +661,8 @@ int main()
   order_of_points();
   what_was_chosen();
   without_noise();
+  for (const double s : {2., 3.})
+    for (const double noise : {0., 0.001, 0.01}) bump_in_a_plane(s, noise, noise > 0 ? 3 : 1);
   degenerate_sets();
   for (const double ratio : {0.3, 0.1, 10.})
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);

@@ -57,7 +57,7 @@ public:
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
               const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree,
               std::size_t order = 2, std::size_t highest_of_orders = highest_without_noise(false))
-    : m_automatic(cloud, within, for_each, noise, highest_choice),
+    : m_automatic(cloud, within, for_each, noise, highest_choice, highest_of_orders),
       m_high(m_automatic.cloud(), within, noise ? 0 : highest_of_orders)
   {
     learn_high_degrees(for_each);
@@ -136,9 +136,9 @@ private:
     const auto* chosen = level ? m_high.near(i, m_automatic.ladder(*level)) : nullptr;
     if (!chosen) return m_automatic(i, near);
     auto high = m_high.choice_at(i, *chosen, m_automatic.ladder(*level), *level, near, solver);
-    if (high && m_high.risk(*high) <= 8 * chosen->risk) return *std::move(high);
+    if (high && risk_of_curvatures(*high) <= 8 * chosen->degree.risk) return *std::move(high);
     Point_scale low = m_automatic(i, near);
-    if (high && m_high.risk(*high) < m_high.risk(low)) return *std::move(high);
+    if (high && risk_of_curvatures(*high) < risk_of_curvatures(low)) return *std::move(high);
     return low;
   }
 

@@ -49,11 +49,14 @@ public:
   /// \param for_each for_each(count, body) calls body(k) once for each k below count, in any order, from any threads
   /// \param noise if it is known
   /// \param highest_choice the highest degree that may be chosen
+  /// \param highest_of_details where degree 4 is too low for the smallest ball, and for that alone
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Automatic_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),
-                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree)
-    : m_cloud(cloud), m_within(within), m_highest_choice(highest_choice)
+                  const std::optional<Noise>& noise = std::nullopt, std::size_t highest_choice = highest_nested_degree,
+                  std::size_t highest_of_details = highest_without_noise(false))
+    : m_cloud(cloud), m_within(within), m_highest_choice(highest_choice),
+      m_highest_of_details(std::min(highest_of_details, highest_without_noise(false)) / 2 * 2)
   {
     const Indices some = places_for_noise(cloud);
     const Density of_some = density(cloud, within, some);
@@ -98,19 +101,27 @@ public:
     std::optional<Local_frame> frame;
     if (!nearby.looks.empty()) {
       const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1}, {}, nearby.looks};
-      Point_scale scale = choose_at(i, member, wanted, nearby.looks.front().rung, frame, near);
+      const auto like_nearby = [&](const Local_ladder& local) { return choose(local, learned.table, ladder); };
+      Point_scale scale = choose_at(i, member, wanted, nearby.looks.front().rung, frame, near, like_nearby);
       if (nearby.is_as_good(scale)) return scale;
     }
-    Point_scale scale = choose_at(i, member, learned.wanted, rung_of_neighbors(ladder), frame, near);
+    const auto own = [&](const Local_ladder& local) {
+      return own_choice(
+          m_cloud, [&near]() -> const Indices& { return near; }, local, learned.table, learned.misfits, ladder,
+          learned.wanted.end(), m_highest_of_details);
+    };
+    Point_scale scale = choose_at(i, member, learned.wanted, rung_of_neighbors(ladder), frame, near, own);
     if (scale.is_chosen && scale.has_neighbors) return scale;
     return without_bias(i, near);
   }
 
 private:
-  // The choice at point i among these, by the bias that a point of the subsample has learned.
+  // The choice at point i among these, near a point of the subsample.
   // \param frame that of the point, if it is there; else it is put there
+  // \param choose choose(local) is the choice among fits
+  template <class Choose>
   Point_scale choose_at(std::size_t i, std::uint32_t member, const Wanted_rungs& wanted, std::size_t rung_of_neighbors,
-                        std::optional<Local_frame>& frame, Indices& near) const
+                        std::optional<Local_frame>& frame, Indices& near, const Choose& choose) const
   {
     const Ladder& ladder = m_sample.ladder(member);
     const Learned_choice& learned = m_learned[member];
@@ -118,8 +129,8 @@ private:
     if (!frame) frame = local_frame(m_cloud, near, i, ladder);
     Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
                                        learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
-    Point_scale scale = choose(local, learned.table, ladder);
-    scale.over_surface = std::move(local.over_surface);
+    Point_scale scale = choose(local);
+    if (!is_of_high_degree(scale)) scale.over_surface = std::move(local.over_surface);
     scale.level = m_sample.levels[member];
     scale.has_neighbors = has_neighbors(local, rung_of_neighbors);
     return scale;
@@ -164,7 +175,7 @@ private:
     m_sample = subsample_of(m_cloud);
     make_ladders(levels_of(m_cloud, m_within, m_sample, density.radius, for_each), density, knows_noise);
     std::vector<Indices> close;
-    m_learned = learned_choices(m_cloud, m_within, m_sample, for_each, close);
+    m_learned = learned_choices(m_cloud, m_within, m_sample, for_each, m_highest_of_details, close);
     m_nearest = nearest_in_lists(m_cloud, m_sample, close);
   }
 
@@ -197,7 +208,7 @@ private:
   Cloud m_cloud;
   std::vector<char> m_at_border; // of the cloud
   Within m_within;
-  std::size_t m_highest_choice;
+  std::size_t m_highest_choice, m_highest_of_details;
   Noise m_noise;
   Subsample m_sample;
   std::vector<Learned_choice> m_learned; // at the subsample

@@ -50,6 +50,14 @@ struct Squared_bias
 
   /// By how many standard errors a bias shows, at this radius or a larger one, of any degree.
   double evidence = 0;
+
+  /// Another proof that it is this at least.
+  void add_proved(double square)
+  {
+    value = std::max(value, square);
+    most = std::max(most, square);
+    evidence = std::max(evidence, constant::certain);
+  }
 };
 
 /// Of one target, in one shape: [degree - 2][rung].

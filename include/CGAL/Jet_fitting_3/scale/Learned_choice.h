@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Point_scale.h>
 #include <CGAL/Jet_fitting_3/scale/Subsample.h>
+#include <CGAL/Jet_fitting_3/scale/own_choice.h>
 
 #include <algorithm>
 #include <array>
@@ -26,30 +27,39 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Chosen_nearby
 {
   std::vector<Look> looks; ///< none if nothing was chosen
-  std::array<double, number_of_targets> risks{};
+  std::array<double, number_of_targets> risks{}, misfits{};
   Vector_3<double> axis{0, 0, 0}; ///< the principal direction
-  double factor = 2;              ///< of these risks, above which another choice is looked for
+  double factor = 2;              ///< of risks and misfits, above which another choice is looked for
 
   bool is_as_good(const Point_scale& scale) const
   {
-    bool result = scale.is_chosen && scale.has_neighbors && scale.normal.risk() <= factor * risks[0];
-    for (std::size_t k = 0; k < 3; ++k) result = result && scale.curvatures[k].risk() <= factor * risks[k + 1];
-    return result;
+    if (!scale.is_chosen || !scale.has_neighbors) return false;
+    const auto choices = choices_of(scale);
+    for (std::size_t t = 0; t < number_of_targets; ++t)
+      if (choices[t]->risk() > factor * risks[t] || choices[t]->misfit > factor * misfits[t]) return false;
+    return true;
   }
 };
 
 inline Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local)
 {
   if (!scale.is_chosen || local.looks.empty()) return {};
-  return {looks_at_choice(scale, local),
-          {scale.normal.risk(), scale.curvatures[0].risk(), scale.curvatures[1].risk(), scale.curvatures[2].risk()},
-          scale.frame.axes.x};
+  Chosen_nearby chosen;
+  chosen.looks = looks_at_choice(scale, local);
+  const auto choices = choices_of(scale);
+  for (std::size_t t = 0; t < number_of_targets; ++t) {
+    chosen.risks[t] = choices[t]->risk();
+    chosen.misfits[t] = choices[t]->misfit;
+  }
+  chosen.axis = scale.frame.axes.x;
+  return chosen;
 }
 
 /// What a point of the subsample tells those around it.
 struct Learned_choice
 {
   Bias_table table;
+  std::vector<double> misfits; ///< that are usual, see usual_misfits()
   Chosen_nearby chosen;
   Wanted_rungs wanted; ///< what is worth a look nearby
 };
@@ -136,14 +146,19 @@ void shorten_ladders(const Subsample& sample, const Patches& patches, const std:
   }
 }
 
-/// From the fits of a patch. \param local those of the point itself, up to an end
-inline Learned_choice learned_choice(const Patch_statistics::Patch& patch, const Local_ladder& local,
-                                     const Ladder& ladder, std::size_t end)
+/// From the fits of a patch.
+/// \param local those of the point itself, up to an end
+/// \param near, highest see own_choice()
+template <class Near>
+Learned_choice learned_choice(const Cloud& cloud, const Near& near, const Patch_statistics::Patch& patch,
+                              const Local_ladder& local, const Ladder& ladder, std::size_t end, std::size_t highest)
 {
   Learned_choice learned;
   learned.table = bias_table(patch, ladder, end);
-  const Point_scale scale = choose(local, learned.table, ladder);
-  learned.chosen = chosen_nearby(scale, local);
+  learned.misfits = usual_misfits(patch, end);
+  Point_scale scale = own_choice(cloud, near, local, learned.table, learned.misfits, ladder, end, highest);
+  if (is_of_high_degree(scale)) scale = choose(local, learned.table, ladder);
+  else learned.chosen = chosen_nearby(scale, local);
   if (end < ladder.radii.size()) learned.chosen.factor = 8; // misfit is most of the noise, and that is by chance
   learned.wanted = rungs_around(scale, ladder, end);
   learned.wanted.balls.end = std::max(learned.wanted.balls.end, std::min(ladder.fewest_rungs(), end));
@@ -151,10 +166,11 @@ inline Learned_choice learned_choice(const Patch_statistics::Patch& patch, const
 }
 
 /// At the points of the subsample. \param within, for_each see Automatic_scale
+/// \param highest the highest degree of a detail
 /// \param close the points in the second ball around each of them, if all have one ladder
 template <class Within, class For_each>
 std::vector<Learned_choice> learned_choices(const Cloud& cloud, const Within& within, const Subsample& sample,
-                                            const For_each& for_each, std::vector<Indices>& close)
+                                            const For_each& for_each, std::size_t highest, std::vector<Indices>& close)
 {
   const Patches patches = patches_of(cloud, sample, for_each);
   std::vector<Local_ladder> ladders(sample.size());
@@ -178,8 +194,14 @@ std::vector<Learned_choice> learned_choices(const Cloud& cloud, const Within& wi
   const std::vector<double> off_centers = off_centers_of(cloud, within, sample, ladders, ends, for_each);
   std::vector<Learned_choice> learned(sample.size());
   for_each(sample.size(), [&](std::size_t k) {
+    const Ladder& ladder = sample.ladder(k);
+    Indices found;
+    const auto near = [&]() -> const Indices& {
+      if (found.empty()) within(sample.points[k], reach(cloud, ladder, ends[k]), found);
+      return found;
+    };
     const Patch_statistics::Patch patch = patch_by_likeness(patches[k], ladders, off_centers, off_centers[k]);
-    learned[k] = learned_choice(patch, ladders[k], sample.ladder(k), ends[k]);
+    learned[k] = learned_choice(cloud, near, patch, ladders[k], ladder, ends[k], highest);
   });
   return learned;
 }

@@ -33,6 +33,7 @@ struct Chosen_fit
   double most_squared_bias = 0;          ///< see Squared_bias
   double evidence = 0;                   ///< of the bias, see Squared_bias
   double noise_factor = 1;               ///< of the noise, see Nested_fit
+  double misfit = 1;                     ///< see Second_order
   Roundness round{};                     ///< of the heights that are fitted
 
   double risk() const { return squared_bias + variance; }
@@ -71,12 +72,16 @@ struct Point_scale
 /// The least neighbors of a candidate: twice its unknowns.
 constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
 
+/// Squared biases that the fits of a point itself show, whatever their shape and degree: [target][rung], or none.
+using Own_bias = std::array<std::vector<double>, number_of_targets>;
+
 /// The candidate of a shape with the least squared bias plus variance if that is less than `least`; the smallest
 /// radius, the lowest degree if several.
 /// \return what is the least now
-inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shape shape, std::size_t target,
-                     const Ladder& ladder, double least, Chosen_fit& choice)
+inline double choose(const Local_ladder& local, const Bias_of_target& bias, const Own_bias& own_bias, Shape shape,
+                     std::size_t target, const Ladder& ladder, double least, Chosen_fit& choice)
 {
+  const std::vector<double>& own = own_bias[target];
   const std::vector<Rung>& rungs = local.of_shape(shape);
   const std::size_t end = std::min(rungs.size(), bias.in(shape).front().size());
   for (std::size_t j = ladder.first; j < end; ++j)
@@ -84,11 +89,13 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, Shap
       if (!is_candidate(target, degree) || rungs[j].size(degree) < least_neighbors_of(degree)) continue;
       const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);
-      const Squared_bias& b = bias.in(shape)[degree - 2][j];
+      Squared_bias b = bias.in(shape)[degree - 2][j];
+      if (j < own.size() && own[j] > 0) b.add_proved(own[j]);
       const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
       if (!(risk < least)) continue;
       least = risk;
-      choice = {ladder.radii[j], shape, j, degree, b.value, v, b.most, b.evidence, fit.noise_factor, fit.round};
+      choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, b.most, b.evidence,
+                fit.noise_factor, fit.misfit, fit.round};
     }
   return least;
 }
@@ -111,18 +118,35 @@ inline Jet<double> jet_of_choice(const Local_ladder& local, const Point_scale& s
   return jet;
 }
 
+/// Above those of a ladder.
+inline bool is_of_high_degree(const Point_scale& scale) { return scale.in_ball.degree > highest_nested_degree; }
+
+/// One a target.
+inline std::array<const Chosen_fit*, number_of_targets> choices_of(const Point_scale& scale)
+{
+  return {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+}
+
+inline std::size_t largest_rung(const Point_scale& scale)
+{
+  std::size_t rung = 0;
+  for (const Chosen_fit* c : choices_of(scale)) rung = std::max(rung, c->rung);
+  return rung;
+}
+
 /// All targets.
-inline Point_scale choose(const Local_ladder& local, const Bias_table& table, const Ladder& ladder)
+inline Point_scale choose(const Local_ladder& local, const Bias_table& table, const Ladder& ladder,
+                          const Own_bias& own = {})
 {
   Point_scale scale;
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
-    const double least = choose(local, table[target], Shape::ball, target, ladder, unknown, choice);
+    const double least = choose(local, table[target], own, Shape::ball, target, ladder, unknown, choice);
     scale.is_chosen = scale.is_chosen && least < unknown;
     if (target == 1) scale.in_ball = choice;
     if (other_shape(target, ladder) != Shape::ball)
-      choose(local, table[target], other_shape(target, ladder), target, ladder, least, choice);
+      choose(local, table[target], own, other_shape(target, ladder), target, ladder, least, choice);
   }
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;
@@ -146,7 +170,7 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
 inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local)
 {
   std::vector<bool> is_looked_at(local.looks.size()), is_cut(local.looks.size());
-  for (const Chosen_fit* c : {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]}) {
+  for (const Chosen_fit* c : choices_of(scale)) {
     is_looked_at[c->rung] = true;
     if (c->degree == 2) continue;
     is_cut[c->rung] = true;

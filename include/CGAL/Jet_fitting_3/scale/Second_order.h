@@ -57,6 +57,7 @@ struct Second_order
   double height = 0;       ///< at the origin
   Roundness round;         ///< of the round heights that were fitted; 0 if that was to heights
   double noise_factor = 1; ///< of noise in the samples over that of the covariance
+  double misfit = 1;       ///< what the fit leaves, over what noise would, in variances
   std::array<double, 5> value{};
   Covariance covariance{};
 };
@@ -87,7 +88,7 @@ inline Second_order second_order(const Nested_fit& fit, std::size_t degree, doub
 {
   Second_order result;
   result.height = fit.coefficient(0, degree);
-  result.noise_factor = fit.noise_factor(degree);
+  result.noise_factor = result.misfit = fit.noise_factor(degree);
   for (std::size_t a = 0; a < 5; ++a) result.value[a] = fit.coefficient(a + 1, degree);
   result.covariance = covariance;
   return scaled(result, {1, 1, 2 / unit, std::sqrt(2.) / unit, 2 / unit}, unit);
@@ -112,7 +113,7 @@ inline Second_order with_misfit_as_noise(Second_order s)
 /// The values in axes that are turned by an angle from x to y, with the variances of each.
 struct Turned_second_order
 {
-  double height, noise_factor;
+  double height, noise_factor, misfit;
   Roundness round;
   std::array<double, 5> value;
   double slopes_variance;         ///< of both slopes together
@@ -126,6 +127,7 @@ inline Turned_second_order turned(const Second_order& s, double cosine, double s
   Turned_second_order t;
   t.height = s.height;
   t.noise_factor = s.noise_factor;
+  t.misfit = s.misfit;
   t.round = s.round;
   t.value[0] = cosine * s.value[0] + sine * s.value[1];
   t.value[1] = cosine * s.value[1] - sine * s.value[0];

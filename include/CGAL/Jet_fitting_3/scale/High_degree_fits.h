@@ -1,0 +1,263 @@
+// Copyright (c) 2026 The Jet_fitting_3 authors.
+//
+// This file is part of Jet_fitting_3, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_JET_FITTING_3_SCALE_HIGH_DEGREE_FITS_H
+#define CGAL_JET_FITTING_3_SCALE_HIGH_DEGREE_FITS_H
+
+#include <CGAL/Jet_fitting_3/numeric/Linear_system.h>
+#include <CGAL/Jet_fitting_3/numeric/least_squares.h>
+#include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Jet_fitting {
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// What a fit of a degree says of slopes and second derivatives.
+struct Fitted_derivatives
+{
+  std::array<double, 5> value{};                    ///< as in Second_order
+  std::array<double, number_of_targets> variance{}; ///< by what the fit leaves; of both slopes together first
+  double residual = 0; ///< the variance of what it leaves of heights, or of the rows where normals are data
+  double freedom = 0;  ///< how many rows there are more than unknowns
+};
+
+/// Of all degrees up to that of a fit by orthogonalization, whose triangle holds those of lower degrees. With normals
+/// of the potential, which has the second derivatives of the surface where the z axis is the normal.
+class Derivatives_of_degrees
+{
+public:
+  /// \param fit must outlive the object; it has full rank
+  /// \param samples how many
+  Derivatives_of_degrees(const Cloud& cloud, const Fit_at_scale& fit, std::size_t samples)
+    : m_solution(fit.fit.solution), m_rows((cloud.has_normals() ? 3 : 1) * samples),
+      m_square_of_unit(cloud.has_normals() ? 1 : fit.unit * fit.unit), m_right(m_solution.r.size())
+  {
+    const double u = 1 / fit.fit.hu, v = 1 / fit.fit.hv, per_length = 1 / fit.unit;
+    m_factors = {u, v, 2 * u * u * per_length, std::sqrt(2.) * u * v * per_length, 2 * v * v * per_length};
+    for (std::size_t i = 0; i < m_right.size(); ++i)
+      for (std::size_t j = i; j < m_right.size(); ++j) m_right[i] += m_solution.r(i, j) * m_solution.y[j];
+    for (std::size_t k = 0; k < 5; ++k) m_inverse[k] = row_of_inverse(k + 1);
+  }
+
+  Fitted_derivatives operator()(std::size_t degree) const
+  {
+    const std::size_t n = number_of_jet_coefficients(degree);
+    Fitted_derivatives result;
+    double squares = m_solution.square_sum;
+    for (std::size_t i = n; i < m_right.size(); ++i) squares += m_right[i] * m_right[i];
+    result.freedom = double(m_rows - n);
+    result.residual = squares / result.freedom;
+    for (std::size_t k = 0; k < 5; ++k) {
+      double value = 0, square = 0;
+      for (std::size_t i = k + 1; i < n; ++i) {
+        value += m_inverse[k][i] * m_right[i];
+        square += m_inverse[k][i] * m_inverse[k][i];
+      }
+      result.value[k] = m_factors[k] * value;
+      result.variance[k < 2 ? 0 : k - 1] +=
+          constant::variance_factor * result.residual * m_factors[k] * m_factors[k] * square;
+    }
+    result.residual *= m_square_of_unit;
+    return result;
+  }
+
+private:
+  // That of the triangle, by substitution.
+  std::vector<double> row_of_inverse(std::size_t k) const
+  {
+    const auto& r = m_solution.r;
+    std::vector<double> row(r.size()), sums(r.size());
+    for (std::size_t i = k; i < r.size(); ++i) {
+      row[i] = ((i == k ? 1 : 0) - sums[i]) / r(i, i);
+      for (std::size_t j = i + 1; j < r.size(); ++j) sums[j] += row[i] * r(i, j);
+    }
+    return row;
+  }
+
+  const numeric::Least_squares_solution<double>& m_solution;
+  std::size_t m_rows;
+  double m_square_of_unit; // of heights
+  std::array<double, 5> m_factors;
+  std::vector<double> m_right; // Q' Z
+  std::array<std::vector<double>, 5> m_inverse;
+};
+
+/// The highest degree that is a candidate where there is no noise; with normals less, as slopes know of one order more.
+constexpr std::size_t highest_without_noise(bool has_normals) { return has_normals ? 6 : 8; }
+
+/// Solves the system that assemble() fills.
+struct By_orthogonalization
+{
+  template <class Assemble>
+  auto operator()(std::size_t rows, std::size_t columns, const Assemble& assemble) const
+  {
+    numeric::Linear_system<double> system;
+    system.resize(rows, columns);
+    assemble(system);
+    return numeric::solve_by_orthogonalization(system, 1e-12);
+  }
+};
+
+/// Without noise their number matters little, and how far they reach a lot.
+inline bool has_neighbors_for(std::size_t degree, const Indices& neighbors)
+{
+  constexpr std::size_t spare = 5; // to tell what is left
+  return neighbors.size() >= number_of_jet_coefficients(degree) + spare;
+}
+
+/// Whether its samples determine all terms of its degree.
+inline bool is_determined(const Fit_at_scale& fit, std::size_t degree)
+{
+  const std::size_t n = number_of_jet_coefficients(degree);
+  return fit.fit.solution.rank == n && fit.fit.solution.r.size() == n;
+}
+
+/// Of all even degrees up to the highest to the samples in a ball; none where they do not determine that.
+inline std::vector<Fitted_derivatives> fits_of_degrees(const Cloud& cloud, const Indices& neighbors,
+                                                       const Local_frame& frame, double radius, std::size_t highest,
+                                                       const Noise& noise)
+{
+  std::vector<Fitted_derivatives> fits;
+  const By_orthogonalization solver;
+  const Fit_at_scale fit = fit_to_samples(cloud, neighbors, frame, radius, highest, noise, solver);
+  if (!is_determined(fit, highest)) return fits;
+  const Derivatives_of_degrees of(cloud, fit, neighbors.size());
+  for (std::size_t degree = 2; degree <= highest; degree += 2) fits.push_back(of(degree));
+  return fits;
+}
+
+/// How many of the smallest balls of a ladder are looked at with high degrees.
+constexpr std::size_t rungs_of_high_degrees = 4;
+
+/// At one point: [rung - first][degree / 2 - 1]; none where there are too few neighbors.
+using High_degree_fits = std::array<std::vector<Fitted_derivatives>, rungs_of_high_degrees>;
+
+/// Of each ball up to the highest degree for which there are neighbors, 6 at least.
+/// \param near holds the neighbors of the balls below the end, and perhaps others
+inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                             const Ladder& ladder, std::size_t end, std::size_t highest)
+{
+  High_degree_fits fits;
+  for (std::size_t j = 0; j < fits.size() && ladder.first + j < end; ++j) {
+    const double radius = ladder.radii[ladder.first + j];
+    const Indices neighbors = inside(cloud, near, frame, radius);
+    std::size_t degree = highest;
+    while (degree > highest_nested_degree && !has_neighbors_for(degree, neighbors)) degree -= 2;
+    if (degree > highest_nested_degree)
+      fits[j] = fits_of_degrees(cloud, neighbors, frame, radius, degree, ladder.noise);
+  }
+  return fits;
+}
+
+/// A degree and a ball for slopes and second derivatives, and what is expected of it.
+struct High_degree
+{
+  std::size_t degree = 0, rung = 0; ///< degree 0: none is chosen
+  std::array<double, number_of_targets> squared_biases{};
+  double residual = 0, risk = unknown;
+};
+
+/// Means over some points of what one degree says in one ball.
+struct High_degree_means
+{
+  std::array<double, number_of_targets> squares{}, variances{}; ///< squared differences to the highest degree
+  double residual = 0;
+
+  void add(const Fitted_derivatives& fit, const Fitted_derivatives& highest, double weight)
+  {
+    residual += weight * fit.residual;
+    for (std::size_t k = 0; k < 5; ++k)
+      squares[k < 2 ? 0 : k - 1] += weight * (fit.value[k] - highest.value[k]) * (fit.value[k] - highest.value[k]);
+    for (std::size_t t = 0; t < number_of_targets; ++t) variances[t] += weight * fit.variance[t];
+  }
+  static double of_curvatures(const std::array<double, number_of_targets>& a) { return a[1] + a[2] + a[3]; }
+  double risk() const { return of_curvatures(squares) + of_curvatures(variances); }
+};
+
+/// Of each degree that all have. The highest is expected to err less than the one before by the same factor as that
+/// less than its own.
+/// \param of_points their fits in the ball, to degree 6 at least
+inline std::vector<High_degree_means>
+means_of_degrees(const std::vector<const std::vector<Fitted_derivatives>*>& of_points)
+{
+  std::size_t degrees = of_points.front()->size();
+  for (const auto* fits : of_points) degrees = std::min(degrees, fits->size());
+  std::vector<High_degree_means> result(degrees);
+  for (const auto* fits : of_points)
+    for (std::size_t d = 0; d < degrees; ++d)
+      result[d].add((*fits)[d], (*fits)[degrees - 1], 1 / double(of_points.size()));
+  High_degree_means &last = result.back(), &before = result[result.size() - 2];
+  const auto curvatures = [](const High_degree_means& m) { return High_degree_means::of_curvatures(m.squares); };
+  const double falls = curvatures(before) / curvatures(result[result.size() - 3]);
+  for (std::size_t t = 0; t < number_of_targets; ++t) last.squares[t] = (falls < 1 ? falls : 1) * before.squares[t];
+  return result;
+}
+
+/// Takes a degree above those of the ladder, if there is one of a lower risk.
+inline void choose_degree(const std::vector<High_degree_means>& of_degrees, std::size_t rung, High_degree& best)
+{
+  for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
+    const High_degree_means& m = of_degrees[d];
+    if (m.risk() < best.risk) best = {2 * d + 2, rung, m.squares, m.residual, m.risk()};
+  }
+}
+
+/// What was chosen with it at a point, or in the next ball, where points are less dense; nothing where samples do not
+/// determine it.
+/// \param near holds the neighbors of both balls, and perhaps others
+/// \param frame its x axis is the principal direction, about
+template <class Solver>
+std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                                const Ladder& ladder, const High_degree& chosen, Solver&& solver)
+{
+  std::size_t rung = chosen.rung;
+  Indices neighbors = inside(cloud, near, frame, ladder.radii[rung]);
+  if (!has_neighbors_for(chosen.degree, neighbors)) neighbors = inside(cloud, near, frame, ladder.radii[++rung]);
+  if (!has_neighbors_for(chosen.degree, neighbors)) return std::nullopt;
+  const double radius = ladder.radii[rung];
+  const Fit_at_scale fit = fit_to_samples(cloud, neighbors, frame, radius, chosen.degree, ladder.noise, solver);
+  if (!is_determined(fit, chosen.degree)) return std::nullopt;
+  Point_scale scale;
+  scale.frame = frame;
+  for (std::size_t k = 0; k <= 2; ++k) std::copy_n(fit.fit.jet.part(k), k + 1, scale.jet.part(k));
+  const Fitted_derivatives d = Derivatives_of_degrees(cloud, fit, neighbors.size())(chosen.degree);
+  const double worse =
+      std::max(std::pow(radius / ladder.radii[chosen.rung], 2 * chosen.degree), d.residual / chosen.residual);
+  Chosen_fit* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+  for (std::size_t t = 0; t < number_of_targets; ++t) {
+    const double bias = worse * chosen.squared_biases[t];
+    *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};
+  }
+  scale.in_ball = scale.curvatures[0];
+  scale.over_surface.resize(rung + 1);
+  scale.over_surface[rung] = std::move(neighbors);
+  return scale;
+}
+
+/// The expected squared error of the second derivatives together.
+inline double risk_of_curvatures(const Point_scale& scale)
+{
+  double sum = 0;
+  for (const Chosen_fit& c : scale.curvatures) sum += c.risk();
+  return sum;
+}
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
+} // namespace Jet_fitting
+} // namespace CGAL
+
+#endif // CGAL_JET_FITTING_3_SCALE_HIGH_DEGREE_FITS_H
