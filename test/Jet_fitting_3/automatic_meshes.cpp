@@ -457,6 +457,36 @@ void coarse_mesh()
   }
 }
 
+// A torus whose tube is an ellipse, of half axes 1 and `height`.
+Analytic_mesh torus_of_ellipses(double big, double height, std::size_t m, std::size_t n)
+{
+  Analytic_mesh mesh = torus(big, 1, m, n);
+  for (Point& p : mesh.points) p.z *= height;
+  mesh.truth = [big, height](const Point& p) {
+    const double distance = std::hypot(p.x, p.y), cosine = distance - big, sine = p.z / height;
+    const double length = std::hypot(sine, height * cosine);
+    const Point normal(height * cosine / length * p.x / distance, height * cosine / length * p.y / distance,
+                       sine / length);
+    const double across = -height / (length * length * length), along = -height * cosine / length / distance;
+    return Curvatures{std::max(across, along), std::min(across, along), normal};
+  };
+  return mesh;
+}
+
+// Where the smallest disks of degree 4 hold three rows of vertices, these tell no quartic across, exact as they are.
+void three_rows_in_a_disk()
+{
+  const std::array<Analytic_mesh, 3> meshes{torus_of_ellipses(2, 0.7, 48, 24), torus_of_ellipses(2.5, 1.3, 36, 32),
+                                            torus_of_ellipses(2.5, 2, 24, 32)};
+  for (const Analytic_mesh& exact : meshes) {
+    Noisy_mesh mesh(exact, 0);
+    mesh.estimate(jets::k_rings(2), 2);
+    const double fixed = mesh.rms_error();
+    mesh.estimate(jets::automatic(), 6);
+    check_le(mesh.rms_error(), fixed, "exact vertices of sharp bends, beside degree 2 and two rings");
+  }
+}
+
 // A cylinder of radius 1 whose edges along it are so many times as long as those around it.
 Analytic_mesh cylinder_of_long_triangles(std::size_t around, std::size_t rows, double ratio)
 {
@@ -742,6 +772,7 @@ int main()
   orders_3_and_4();
   degrees();
   coarse_mesh();
+  three_rows_in_a_disk();
   long_triangles();
   third_order_of_long_triangles();
   sharp_tips();

@@ -141,9 +141,26 @@ inline std::optional<Coefficients> solution_for_potential(const Moments& moments
   return solution;
 }
 
+/// Whether a term of the highest order is hardly determined where the samples are, as far from their middle as they
+/// spread: three rows of vertices tell no quartic across. Beside their middle, as at borders, low orders are uncertain
+/// without that.
+inline bool hides_highest_order(const Moments& moments, const Normal_matrix& matrix, std::size_t degree)
+{
+  constexpr double most = 1e5; // variances of a mean
+  const auto& t = moments.terms;
+  const double n = t[0], u = t[term_index(1, 0)] / n, v = t[term_index(1, 1)] / n;
+  const double uu = t[term_index(2, 0)] / n - u * u, vv = t[term_index(2, 2)] / n - v * v;
+  for (std::size_t j = 0; j <= degree; ++j) {
+    double square = n;
+    for (std::size_t k = 0; k < degree; ++k) square *= k < j ? vv : uu;
+    if (!(matrix.variance(degree, j) * square < most)) return true;
+  }
+  return false;
+}
+
 /// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
 /// coefficient, or the samples hardly determine it (noise would grow to more than 1000 / radius^order times the
-/// derivatives of a term with unit coefficients).
+/// derivatives of a term with unit coefficients, or a tenth of that is by terms that the samples hide).
 /// \param with_rows which take the most time; they need moments of all orders
 inline Candidate candidate(const Moments& moments, std::size_t degree, std::size_t shell, double radius,
                            std::size_t order, bool with_rows)
@@ -168,6 +185,8 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
     result.variance += factor * factor * matrix.variance(order, j);
   }
   if (!(result.variance > 0 && result.variance < bound)) return result;
+  const double much = 0.01 * bound;
+  if (result.variance > much && hides_highest_order(moments, matrix, degree)) return result;
   result.degree = degree;
   result.shell = shell;
   if (!with_rows) return result;
