@@ -194,6 +194,14 @@ void without_noise()
       best = std::min(best, rms_error(fixed));
     }
     check_le(rms_error(forms), best / 2, "error without noise, beside the best fixed choice of degree 4");
+    if (!use_normals) continue;
+    best = std::numeric_limits<double>::infinity();
+    for (const std::size_t count : {12, 15, 20}) {
+      Forms fixed;
+      estimate(jets::nearest(count), 6, fixed);
+      best = std::min(best, rms_error(fixed));
+    }
+    check_le(rms_error(forms), 2 * best, "error with exact normals, beside the best fixed choice of degree 6");
   }
 }
 

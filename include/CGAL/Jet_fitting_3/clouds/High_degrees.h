@@ -68,7 +68,7 @@ public:
       m_places.push_back({m_cloud.points[places[k]], smallest_radius(ladder_of(choices[k]))});
     m_chosen.resize(places.size());
     for_each(places.size(), [&](std::size_t k) {
-      if (choices[k].is_chosen) m_chosen[k] = choose(fits, k, choices[k], ladder_of(choices[k]).first);
+      if (choices[k].is_chosen) m_chosen[k] = choose(fits, k, choices[k]);
     });
   }
 
@@ -83,12 +83,12 @@ public:
 
   /// At point i; nothing where samples do not determine it.
   /// \param level of the ladder
-  /// \param near holds the neighbors within reach() of the ball of the choice afterwards, and perhaps others
+  /// \param near holds the neighbors of the balls that may be taken afterwards, and perhaps others
   template <class Solver>
   std::optional<Point_scale> choice_at(std::size_t i, const Chosen& chosen, const Ladder& ladder, std::size_t level,
                                        Indices& near, Solver& solver) const
   {
-    m_within(i, reach(m_cloud, ladder, std::max(chosen.degree.rung + 1, ladder.frame) + 1), near);
+    m_within(i, reach(m_cloud, ladder, std::max(rungs_for(ladder, chosen.degree), ladder.frame + 1)), near);
     const Local_frame frame = local_frame(m_cloud, near, i, ladder);
     std::optional<Point_scale> scale =
         scale_of_high_degree(m_cloud, near, turned(frame, turn_towards(chosen.axis, frame)), ladder, chosen.degree,
@@ -102,7 +102,7 @@ private:
 
   High_degree_fits fits_at(std::size_t i, const Point_scale& choice, const Ladder& ladder, Indices& near) const
   {
-    const std::size_t end = ladder.first + rungs_of_high_degrees;
+    const std::size_t end = ladder.first + end_of_steps;
     m_within(i, reach(m_cloud, ladder, end), near);
     return fits_of_high_degrees(m_cloud, near, choice.frame, ladder, end, m_top);
   }
@@ -122,19 +122,20 @@ private:
   {
     std::vector<const std::vector<Fitted_derivatives>*> members;
     for (const auto& place : near)
-      if (!fits[place.second][j].empty()) members.push_back(&fits[place.second][j]);
+      if (!fits[place.second].empty() && !fits[place.second][j].empty()) members.push_back(&fits[place.second][j]);
     const bool are_few = members.empty() || 2 * members.size() < near.size();
     return are_few ? std::vector<High_degree_means>() : means_of_degrees(members);
   }
 
   // \param choice if it is of a degree of the ladder, the high one is to be better
-  Chosen choose(const std::vector<High_degree_fits>& fits, std::size_t k, const Point_scale& choice,
-                std::size_t first) const
+  Chosen choose(const std::vector<High_degree_fits>& fits, std::size_t k, const Point_scale& choice) const
   {
     const averaging::Near near = averaging::nearest_places(m_places, m_places[k], patch);
     Chosen best{{}, choice.frame.axes.x};
     if (!is_of_high_degree(choice)) best.degree.risk = risk_of_curvatures(choice);
-    for (std::size_t j = 0; j < rungs_of_high_degrees; ++j) choose_degree(means(fits, near, j), first + j, best.degree);
+    const int first = first_step(m_cloud.has_normals());
+    for (int step = first; step < end_of_steps; ++step)
+      choose_degree(means(fits, near, std::size_t(step - first)), step, best.degree);
     return best;
   }
 

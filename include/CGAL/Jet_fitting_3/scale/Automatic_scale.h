@@ -49,7 +49,7 @@ public:
   /// \param for_each for_each(count, body) calls body(k) once for each k below count, in any order, from any threads
   /// \param noise if it is known
   /// \param highest_choice the highest degree that may be chosen
-  /// \param highest_of_details where degree 4 is too low for the smallest ball, and for that alone
+  /// \param highest_of_details the highest degree at points where the smallest ball leaves shape of degree 4
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Automatic_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),

@@ -34,6 +34,12 @@ struct Fitted_derivatives
   double freedom = 0;  ///< how many rows there are more than unknowns
 };
 
+/// How many equations samples make.
+inline std::size_t number_of_rows(const Cloud& cloud, std::size_t samples)
+{
+  return (cloud.has_normals() ? 3 : 1) * samples;
+}
+
 /// Of all degrees up to that of a fit by orthogonalization, whose triangle holds those of lower degrees. With normals
 /// of the potential, which has the second derivatives of the surface where the z axis is the normal.
 class Derivatives_of_degrees
@@ -42,7 +48,7 @@ public:
   /// \param fit must outlive the object; it has full rank
   /// \param samples how many
   Derivatives_of_degrees(const Cloud& cloud, const Fit_at_scale& fit, std::size_t samples)
-    : m_solution(fit.fit.solution), m_rows((cloud.has_normals() ? 3 : 1) * samples),
+    : m_solution(fit.fit.solution), m_rows(number_of_rows(cloud, samples)),
       m_square_of_unit(cloud.has_normals() ? 1 : fit.unit * fit.unit), m_right(m_solution.r.size())
   {
     const double u = 1 / fit.fit.hu, v = 1 / fit.fit.hv, per_length = 1 / fit.unit;
@@ -111,11 +117,11 @@ struct By_orthogonalization
   }
 };
 
-/// Without noise their number matters little, and how far they reach a lot.
-inline bool has_neighbors_for(std::size_t degree, const Indices& neighbors)
+/// Without noise the number of samples matters little, and how far they reach a lot. What is left is to be told.
+inline bool has_neighbors_for(const Cloud& cloud, std::size_t degree, const Indices& neighbors)
 {
-  constexpr std::size_t spare = 5; // to tell what is left
-  return neighbors.size() >= number_of_jet_coefficients(degree) + spare;
+  const std::size_t spare = cloud.has_normals() ? 12 : 5; // three equations of a sample are less than three samples
+  return number_of_rows(cloud, neighbors.size()) >= number_of_jet_coefficients(degree) + spare;
 }
 
 /// Whether its samples determine all terms of its degree.
@@ -139,23 +145,34 @@ inline std::vector<Fitted_derivatives> fits_of_degrees(const Cloud& cloud, const
   return fits;
 }
 
-/// How many of the smallest balls of a ladder are looked at with high degrees.
-constexpr std::size_t rungs_of_high_degrees = 4;
+/// The balls that are looked at with high degrees, by steps of the ladder from its smallest one. With normals, which
+/// make three equations a sample, a few samples will do.
+constexpr int end_of_steps = 4;
+constexpr int first_step(bool has_normals) { return has_normals ? -4 : 0; }
 
-/// At one point: [rung - first][degree / 2 - 1]; none where there are too few neighbors.
-using High_degree_fits = std::array<std::vector<Fitted_derivatives>, rungs_of_high_degrees>;
+inline double radius_of_step(const Ladder& ladder, int step)
+{
+  return step < 0 ? ladder.radii[ladder.first] * std::pow(ladder_step, step)
+                  : ladder.radii[ladder.first + std::size_t(step)];
+}
+
+/// At one point: [step - first][degree / 2 - 1]; none where there are too few neighbors.
+using High_degree_fits = std::vector<std::vector<Fitted_derivatives>>;
 
 /// Of each ball up to the highest degree for which there are neighbors, 6 at least.
 /// \param near holds the neighbors of the balls below the end, and perhaps others
 inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                              const Ladder& ladder, std::size_t end, std::size_t highest)
 {
-  High_degree_fits fits;
-  for (std::size_t j = 0; j < fits.size() && ladder.first + j < end; ++j) {
-    const double radius = ladder.radii[ladder.first + j];
+  const int first = first_step(cloud.has_normals());
+  High_degree_fits fits(std::size_t(end_of_steps - first));
+  for (std::size_t j = 0; j < fits.size(); ++j) {
+    const int step = first + int(j);
+    if (step >= 0 && ladder.first + std::size_t(step) >= end) break;
+    const double radius = radius_of_step(ladder, step);
     const Indices neighbors = inside(cloud, near, frame, radius);
     std::size_t degree = highest;
-    while (degree > highest_nested_degree && !has_neighbors_for(degree, neighbors)) degree -= 2;
+    while (degree > highest_nested_degree && !has_neighbors_for(cloud, degree, neighbors)) degree -= 2;
     if (degree > highest_nested_degree)
       fits[j] = fits_of_degrees(cloud, neighbors, frame, radius, degree, ladder.noise);
   }
@@ -165,7 +182,8 @@ inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& 
 /// A degree and a ball for slopes and second derivatives, and what is expected of it.
 struct High_degree
 {
-  std::size_t degree = 0, rung = 0; ///< degree 0: none is chosen
+  std::size_t degree = 0; ///< 0: none is chosen
+  int step = 0;           ///< of the ball, see radius_of_step()
   std::array<double, number_of_targets> squared_biases{};
   double residual = 0, risk = unknown;
 };
@@ -207,27 +225,42 @@ means_of_degrees(const std::vector<const std::vector<Fitted_derivatives>*>& of_p
 }
 
 /// Takes a degree above those of the ladder, if there is one of a lower risk.
-inline void choose_degree(const std::vector<High_degree_means>& of_degrees, std::size_t rung, High_degree& best)
+inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int step, High_degree& best)
 {
   for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
     const High_degree_means& m = of_degrees[d];
-    if (m.risk() < best.risk) best = {2 * d + 2, rung, m.squares, m.residual, m.risk()};
+    if (m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
   }
 }
 
-/// What was chosen with it at a point, or in the next ball, where points are less dense; nothing where samples do not
-/// determine it.
-/// \param near holds the neighbors of both balls, and perhaps others
+/// Where points are less dense one of the next balls stands for the one that was chosen.
+inline int end_of_more_steps(const Ladder& ladder, const High_degree& chosen)
+{
+  return std::min(chosen.step + 4, int(ladder.radii.size() - ladder.first));
+}
+
+/// The number of rungs that hold these balls.
+inline std::size_t rungs_for(const Ladder& ladder, const High_degree& chosen)
+{
+  return ladder.first + std::size_t(std::max(1, end_of_more_steps(ladder, chosen)));
+}
+
+/// What was chosen with it at a point; nothing where samples do not determine it.
+/// \param near holds the neighbors of the balls that may be taken, and perhaps others
 /// \param frame its x axis is the principal direction, about
 template <class Solver>
 std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                                 const Ladder& ladder, const High_degree& chosen, Solver&& solver)
 {
-  std::size_t rung = chosen.rung;
-  Indices neighbors = inside(cloud, near, frame, ladder.radii[rung]);
-  if (!has_neighbors_for(chosen.degree, neighbors)) neighbors = inside(cloud, near, frame, ladder.radii[++rung]);
-  if (!has_neighbors_for(chosen.degree, neighbors)) return std::nullopt;
-  const double radius = ladder.radii[rung];
+  int step = chosen.step;
+  const auto neighbors_at_step = [&] { return inside(cloud, near, frame, radius_of_step(ladder, step)); };
+  Indices neighbors = neighbors_at_step();
+  while (!has_neighbors_for(cloud, chosen.degree, neighbors)) {
+    if (++step == end_of_more_steps(ladder, chosen)) return std::nullopt;
+    neighbors = neighbors_at_step();
+  }
+  const double radius = radius_of_step(ladder, step);
+  const std::size_t rung = ladder.first + std::size_t(std::max(0, step)); // of those that hold the ball
   const Fit_at_scale fit = fit_to_samples(cloud, neighbors, frame, radius, chosen.degree, ladder.noise, solver);
   if (!is_determined(fit, chosen.degree)) return std::nullopt;
   Point_scale scale;
@@ -235,7 +268,7 @@ std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indice
   for (std::size_t k = 0; k <= 2; ++k) std::copy_n(fit.fit.jet.part(k), k + 1, scale.jet.part(k));
   const Fitted_derivatives d = Derivatives_of_degrees(cloud, fit, neighbors.size())(chosen.degree);
   const double worse =
-      std::max(std::pow(radius / ladder.radii[chosen.rung], 2 * chosen.degree), d.residual / chosen.residual);
+      std::max(std::pow(radius / radius_of_step(ladder, chosen.step), 2 * chosen.degree), d.residual / chosen.residual);
   Chosen_fit* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
   for (std::size_t t = 0; t < number_of_targets; ++t) {
     const double bias = worse * chosen.squared_biases[t];

@@ -31,7 +31,7 @@ inline bool leaves_shape(const Cloud& cloud, const Indices& near, const Local_fr
   constexpr double certain_ratio = 8; // 2 would be chance in one of 50 cases, outliers have more
   const double radius = ladder.radii[rung];
   const Indices neighbors = inside(cloud, near, frame, radius);
-  if (!has_neighbors_for(6, neighbors)) return false;
+  if (!has_neighbors_for(cloud, 6, neighbors)) return false;
   const std::vector<Fitted_derivatives> fits = fits_of_degrees(cloud, neighbors, frame, radius, 6, ladder.noise);
   if (fits.empty()) return false;
   const Fitted_derivatives &of_4 = fits[1], &of_6 = fits[2];
@@ -66,7 +66,7 @@ std::optional<Detail> detail_at(const Cloud& cloud, const Near& near, const Loca
     if (fits[j].empty()) continue;
     for (std::size_t d = highest_nested_degree / 2; d < fits[j].size(); ++d)
       noise = std::min(noise, fits[j][d].residual * (1 + certain * std::sqrt(2 / fits[j][d].freedom)));
-    choose_degree(means_of_degrees({&fits[j]}), first + j, detail.degree);
+    choose_degree(means_of_degrees({&fits[j]}), int(j), detail.degree);
   }
   if (!(noise < much_less * of_ladder)) return std::nullopt;
   detail.noise = misfit(local, first) * noise / of_ladder;
