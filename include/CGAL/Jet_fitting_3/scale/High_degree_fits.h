@@ -269,7 +269,7 @@ std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indice
   const Fitted_derivatives d = Derivatives_of_degrees(cloud, fit, neighbors.size())(chosen.degree);
   const double worse =
       std::max(std::pow(radius / radius_of_step(ladder, chosen.step), 2 * chosen.degree), d.residual / chosen.residual);
-  Chosen_fit* const choices[] = {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+  const auto choices = choices_of(scale);
   for (std::size_t t = 0; t < number_of_targets; ++t) {
     const double bias = worse * chosen.squared_biases[t];
     *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};

@@ -121,10 +121,11 @@ inline Jet<double> jet_of_choice(const Local_ladder& local, const Point_scale& s
 /// Above those of a ladder.
 inline bool is_of_high_degree(const Point_scale& scale) { return scale.in_ball.degree > highest_nested_degree; }
 
-/// One a target.
-inline std::array<const Chosen_fit*, number_of_targets> choices_of(const Point_scale& scale)
+/// One a target. \tparam Scale Point_scale, or const
+template <class Scale>
+auto choices_of(Scale& scale)
 {
-  return {&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
+  return std::array{&scale.normal, &scale.curvatures[0], &scale.curvatures[1], &scale.curvatures[2]};
 }
 
 inline std::size_t largest_rung(const Point_scale& scale)
@@ -141,7 +142,7 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   Point_scale scale;
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    Chosen_fit& choice = target == 0 ? scale.normal : scale.curvatures[target - 1];
+    Chosen_fit& choice = *choices_of(scale)[target];
     const double least = choose(local, table[target], own, Shape::ball, target, ladder, unknown, choice);
     scale.is_chosen = scale.is_chosen && least < unknown;
     if (target == 1) scale.in_ball = choice;

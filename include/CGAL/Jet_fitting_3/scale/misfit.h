@@ -36,7 +36,7 @@ inline std::vector<double> usual_misfits(const Patch_statistics::Patch& patch, s
   for (std::size_t j = 0; j < end; ++j) {
     std::vector<double> misfits;
     for (const Patch_statistics::Member& member : patch)
-      if (member.weight > 0.5 && misfit(*member.ladder, j) > 0) misfits.push_back(misfit(*member.ladder, j));
+      if (const double m = misfit(*member.ladder, j); member.weight > 0.5 && m > 0) misfits.push_back(m);
     if (!misfits.empty()) usual[j] = median(misfits);
   }
   return usual;
