@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -171,11 +172,59 @@ void fillets()
   check_le(far / count, 0.2, "fillets between planes: part whose error is 10 times what is claimed");
 }
 
+// A bump whose standard deviation is so many edges, in a plane: what is learned around it knows nothing of it.
+void detail_of_a_plane(double edges, double noise)
+{
+  constexpr std::size_t n = 160;
+  const double s = edges / n;
+  const Analytic_mesh exact = graph("detail", n, [s](double x, double y) -> Height {
+    const double u = (x - .5) / s, v = (y - .5) / s, z = .3 * s * std::exp(-(u * u + v * v) / 2), ss = s * s;
+    return {z, -u / s * z, -v / s * z, (u * u - 1) / ss * z, u * v / ss * z, (v * v - 1) / ss * z};
+  });
+  Mesh mesh;
+  build(exact, mesh);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, noise * mean_edge(mesh));
+  std::vector<Vertex> on_bump;
+  std::vector<Curvatures> truth;
+  for (const Vertex v : mesh.vertices()) {
+    Kernel::Point_3& p = mesh.point(v);
+    truth.push_back(exact.truth(Point(p.x(), p.y(), p.z())));
+    if (std::hypot(p.x() - .5, p.y() - .5) < 3 * s) on_bump.push_back(v);
+    p = p + Kernel::Vector_3(normal(random), normal(random), normal(random));
+  }
+  auto forms = mesh.add_property_map<Vertex, Form>("v:form").first;
+  const auto error = [&] {
+    double sum = 0;
+    for (const Vertex v : on_bump)
+      sum += std::pow(forms[v].principal_curvatures(0) - truth[v].k1, 2) +
+             std::pow(forms[v].principal_curvatures(1) - truth[v].k2, 2);
+    return std::sqrt(sum / double(2 * on_bump.size()));
+  };
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t degree : {2u, 4u, 6u})
+    for (const int rings : {3, 4, 6, 8}) {
+      CGAL::estimate_vertex_monge_forms(mesh, jets::k_rings(rings), forms,
+                                        CGAL::parameters::degree_monge(2).degree_fitting(degree));
+      best = std::min(best, error());
+    }
+  const auto summary =
+      CGAL::estimate_vertex_monge_forms(mesh, jets::automatic(), forms, CGAL::parameters::degree_monge(2));
+  Intervals found;
+  for (const Vertex v : on_bump) found.add(forms[v], truth[v], summary.quality(v).scale);
+  const std::string name = "a bump of " + text(edges) + " edges with noise " + text(noise);
+  std::cout << name << ": " << error() / best << " times the error of the best fixed choice, k1 "
+            << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count << std::endl;
+  check_le(error(), 0.8 * best, name + ": error beside the best fixed choice");
+  check_ge(double(found.held1 + found.held2), 0.8 * 2 * found.count, name + ": part of the intervals that holds");
+}
+
 } // namespace
 
 int main()
 {
   fillets();
+  for (const double noise : {0.01, 0.05}) detail_of_a_plane(4, noise);
   int cases = 0, good = 0;
   const std::vector<Analytic_mesh> all = surfaces();
   for (const Analytic_mesh& exact : all)

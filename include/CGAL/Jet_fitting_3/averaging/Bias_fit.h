@@ -215,12 +215,13 @@ private:
   std::vector<Seen> m_seen;
 };
 
-/// The model for derivatives of the given order from what a patch says.
+/// The model for derivatives of the given order from what a patch, or one vertex, says.
 /// \param own the variance of the order's own terms
 inline Bias_model bias_model(const Comparisons& means, const Candidate_grid& grid, std::size_t order, double own)
 {
   Bias_model model{Bias_fit(means, order, own).terms(), std::vector<double>(grid.size())};
   for (std::size_t t = 0; t < means.size(); ++t) raise(model, grid, t, means[t], 2);
+  if (order == 2) carry_down(model, grid); // bounds of higher orders are too uncertain for that
   return model;
 }
 

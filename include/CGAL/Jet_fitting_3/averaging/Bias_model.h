@@ -48,6 +48,20 @@ inline void raise(Bias_model& model, const Candidate_grid& grid, std::size_t t, 
   least = std::max(least, c.excess - errors * c.error);
 }
 
+/// What a radius errs by at least, a smaller one does, too, less by a power of the radius between those of the first
+/// and the second even order that a degree leaves out. Beside details of the surface bias grows more slowly than that
+/// once disks are larger than these, and terms, which are fitted to all radii, have too little of it in smaller ones.
+/// For derivatives of order 2, and slopes.
+inline void carry_down(Bias_model& model, const Candidate_grid& grid)
+{
+  for (std::size_t c = grid.size(); c-- > 0;) {
+    const std::size_t shell = grid.shell(c);
+    if (shell + 1 == grid.radii.size()) continue;
+    const double part = std::pow(grid.radii[shell] / grid.radii[shell + 1], 2 * double(grid.degree(c) + 1));
+    model.least[c] = std::max(model.least[c], part * model.least[c + 1]);
+  }
+}
+
 /// The weights of all candidates; 0 for those that do not exist.
 struct Choice
 {
@@ -200,12 +214,14 @@ inline double surprise(const Candidates& candidates, const Choice& choice, const
   return choice.spread > 0 ? square / (sum * choice.spread) : 0;
 }
 
+/// A squared bias may be so many times what is estimated.
+constexpr double uncertain_bias = 8;
+
 /// The squared bias, for intervals. It is known to a factor of a few where candidates differ by what is expected,
 /// elsewhere less.
 inline double doubtful_bias(const Candidates& candidates, const Choice& choice, const Target& target)
 {
-  constexpr double uncertain = 8;
-  return uncertain * std::max(1., surprise(candidates, choice, target)) * choice.squared_bias;
+  return uncertain_bias * std::max(1., surprise(candidates, choice, target)) * choice.squared_bias;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -58,6 +58,15 @@ inline Candidate_grid candidate_grid(std::vector<double> radii, std::vector<std:
   return grid;
 }
 
+/// The sum of the squares of what the widest fit of the lowest degree estimates; 0 if there is none.
+inline double square_of_widest(const Candidates& candidates, const Candidate_grid& grid)
+{
+  double square = 0;
+  for (const Candidate& c : candidates)
+    if (c && c.degree == grid.degrees.front()) square = square_of_values(c);
+  return square;
+}
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace averaging
 } // namespace Jet_fitting

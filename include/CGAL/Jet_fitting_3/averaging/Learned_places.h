@@ -37,6 +37,7 @@ struct Learned_place
   Choice of_slopes;                                ///< by disks
   std::array<Selection, shapes.size()> selections; ///< what they use
   std::array<Selection, shapes.size()> promising;  ///< what vertices around it may use
+  std::vector<std::size_t> references;             ///< smaller disks that are hardly biased
   std::array<double, 3> q{};                       ///< second derivatives by disks, in the axes of the frame
   double own_size = 0;                             ///< sum of the squares of the second derivatives
 };
@@ -118,8 +119,7 @@ void compare_disks(const Second_order_fits<Neighbors>& fits, Walker<Neighbors>& 
   place.frame = tangent_frame(fits.surface(), walker, place.vertex);
   place.candidates[0] = fits.all(walker, place.vertex, place.frame, 0);
   place.comparisons[0][together] = fits.compare(place.candidates[0], place.vertex, targets_of_order_2[together]);
-  for (const Candidate& candidate : place.candidates[0])
-    if (candidate && candidate.degree == fits.grid().degrees.front()) place.own_size = square_of_values(candidate);
+  place.own_size = square_of_widest(place.candidates[0], fits.grid());
 }
 
 template <class Neighbors>
@@ -128,6 +128,16 @@ void choose_in_disks(const Second_order_fits<Neighbors>& fits, const Bias_model&
   place.choices[together] =
       fits.choose(model, place.comparisons[0][together], place.candidates[0], place.vertex, 0, together, nullptr);
   if (place.choices[together].exists()) place.q = mean(place.candidates[0], place.choices[together]);
+}
+
+/// The choice in disks by what comparing a vertex's own candidates says, and nothing else.
+template <class Neighbors>
+Choice choice_of_its_own(const Second_order_fits<Neighbors>& fits, const Candidates& candidates, std::size_t i)
+{
+  const Target& target = targets_of_order_2[together];
+  const double size = square_of_widest(candidates, fits.grid()) / size_of_unit_terms(2);
+  const Bias_model model = bias_model(fits.compare(candidates, i, target), fits.grid(), 2, size);
+  return choose(candidates, model, target, fits.square_of_noise(i));
 }
 
 /// How certain all second derivatives are together, at these vertices, by disks.

@@ -139,12 +139,12 @@ private:
   {
     place.candidates = std::move(candidates);
     place.comparisons = comparisons(place.candidates, i);
+    place.size = square_of_widest(place.candidates, m_grid);
     place.variances.assign(m_grid.size(), 0);
     for (std::size_t c = 0; c < m_grid.size(); ++c) {
       const Candidate& candidate = place.candidates[c];
       if (!candidate) continue;
       place.variances[c] = candidate.variance;
-      if (candidate.degree == m_grid.degrees.front()) place.size = square_of_values(candidate);
     }
   }
 

@@ -82,6 +82,7 @@ public:
     result.frame = tangent_frame(surface, walker, i);
     Candidates_of_shapes candidates;
     candidates[0] = m_fits(walker, i, result.frame, 0, place.selections[0], false);
+    const Candidates selected = candidates[0];
     Choice& in_disks = result.choices[together];
     in_disks = place.choices[together];
     if (!holds(in_disks, place, candidates[0]) ||
@@ -90,6 +91,12 @@ public:
       in_disks = m_fits.choose(m_learned.models[place.model].of_all, candidates[0], i, 0, together, nullptr);
     }
     if (!in_disks.exists()) return estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i));
+    const bool is_unlike =
+        !is_at_border(surface, i) && contradict(place, selected, mean(candidates[0], in_disks), in_disks, i);
+    if (is_unlike) {
+      candidates[0] = m_fits.all(walker, i, result.frame, 0);
+      in_disks = choice_of_its_own(m_fits, candidates[0], i);
+    }
     result.exists = true;
     std::array<double, 3> q = mean(candidates[0], in_disks);
     const auto [cosine, sine] = principal_axis_as(place.q, q);
@@ -97,9 +104,9 @@ public:
     q = turn(q, cosine, sine);
     set_slopes(result, place, candidates[0], cosine, sine);
     const double unit = surface.units[i];
-    set_errors(result, place, candidates[0], unit);
+    set_errors(result, candidates[0], is_unlike ? unlimited : m_learned.most_squared_bias(place) * unit * unit);
     const double beside = height(candidates[0], in_disks, i);
-    if ((q[0] - q[2]) * (q[0] - q[2]) > 2 * in_disks.risk()) {
+    if (!is_unlike && (q[0] - q[2]) * (q[0] - q[2]) > 2 * in_disks.risk()) {
       for (Candidate& candidate : candidates[0]) turn(candidate, cosine, sine);
       take_components(walker, i, place, std::move(candidates), q, result);
     }
@@ -113,6 +120,21 @@ private:
   static bool holds(const Choice& choice, const Learned_place& place, const Candidates& candidates)
   {
     return averaging::holds(choice, candidates, place.variances[choice.shape], 4);
+  }
+
+  // Whether references say that these are not the derivatives at the vertex, by much more than noise and the bias that
+  // is expected.
+  bool contradict(const Learned_place& place, const Candidates& references, const std::array<double, 3>& q,
+                  const Choice& choice, std::size_t i) const
+  {
+    constexpr double much = 25; // variances; with 10 single vertices of spheres are taken for unlike, with 14 of tubes
+    return std::any_of(place.references.begin(), place.references.end(), [&](std::size_t c) {
+      const Candidate& reference = references[c];
+      double square = 0;
+      for (std::size_t t = 0; t < q.size(); ++t) square += std::pow(reference.values[t] - q[t], 2);
+      return reference &&
+             square > uncertain_bias * choice.squared_bias + much * m_fits.square_of_noise(i) * reference.variance;
+    });
   }
 
   // With rows: those that are promising at a place, or all where none of them exists.
@@ -140,13 +162,13 @@ private:
   }
 
   // By disks.
-  void set_errors(Second_order_estimate& e, const Learned_place& place, const Candidates& candidates, double unit) const
+  void set_errors(Second_order_estimate& e, const Candidates& candidates, double most_squared_bias) const
   {
     const Choice& choice = e.choices[together];
     e.variances.fill(choice.variance / 3);
     e.squared_biases.fill(choice.squared_bias / 3);
-    e.errors.fill({choice.variance / 2, doubtful_bias(candidates, choice, targets_of_order_2[together]) / 2,
-                   m_learned.most_squared_bias(place) * unit * unit});
+    e.errors.fill(
+        {choice.variance / 2, doubtful_bias(candidates, choice, targets_of_order_2[together]) / 2, most_squared_bias});
   }
 
   // Each component with a shape and weights of its own, in the principal axes of the frame. The candidates of disks are

@@ -28,6 +28,9 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// No limit of a squared bias.
+constexpr double unlimited = 1e100;
+
 /// What the interval of a second derivative contains, squared.
 struct Interval_error
 {
@@ -212,7 +215,6 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) square += std::pow((is_compared ? larger.values[k] : 0) - q[k], 2);
   result.squared_biases.fill(square / 3);
-  constexpr double unlimited = 1e100;
   result.errors.fill({result.variance(), result.squared_bias(), unlimited});
   const auto [cosine, sine] = principal_axis(q);
   result.frame.axes = turned_axes(result.frame.axes, cosine, sine);

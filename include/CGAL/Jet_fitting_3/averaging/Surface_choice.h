@@ -46,8 +46,8 @@ public:
                  std::size_t highest = highest_degree, const For_each& for_each = For_each())
     : m_surface(surface)
   {
-    const auto is_at_border = [&](std::size_t i) { return surface.planes && (*surface.planes)[i].off_center > 0.5; };
-    const std::vector<std::size_t> vertices = spread_over_kinds(surface.units, is_at_border, most_places);
+    const auto at_border = [&](std::size_t i) { return is_at_border(surface, i); };
+    const std::vector<std::size_t> vertices = spread_over_kinds(surface.units, at_border, most_places);
     for (const std::size_t i : vertices) m_points.push_back(whereabouts(surface, i));
     const auto choice = [&](Height height, const Candidate_grid& grid, const std::vector<std::size_t>& places) {
       return Choice_of_height(surface, squares_of_noise, grid, height, places, for_each);

@@ -128,6 +128,13 @@ constexpr double least_cosine_of_heights = 0.5;
 /// Potentials are polynomials of low degree farther.
 constexpr double least_cosine_of_potentials = 0.3;
 
+/// Borders are known by the tangent planes.
+template <class Neighbors>
+bool is_at_border(const Surface_points<Neighbors>& surface, std::size_t i)
+{
+  return surface.planes && (*surface.planes)[i].off_center > 0.5;
+}
+
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace averaging
 } // namespace Jet_fitting

@@ -92,6 +92,27 @@ void add_promising(const Second_order_fits<Neighbors>& fits, Learned_place& plac
     place.promising[shape].add(fits.grid(), c);
 }
 
+/// Disks no larger than those chosen whose bias is at most twice the standard deviation: they tell a vertex whose
+/// surroundings are unlike those of the place.
+template <class Neighbors>
+std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
+                                    const Learned_place& place)
+{
+  constexpr double most = 4; // squared
+  std::vector<std::size_t> result;
+  const Choice& choice = place.choices[together];
+  if (!choice.exists()) return result;
+  const double square_of_radius = mean_scale(choice, fits.grid()).square_of_radius;
+  for (std::size_t c = 0; c < fits.grid().size(); ++c) {
+    const Candidate& candidate = place.candidates[0][c];
+    const double radius = fits.grid().radii[fits.grid().shell(c)];
+    if (!candidate || radius * radius > square_of_radius) continue;
+    const double bias = squared_bias(model.terms, Own_errors(candidate, targets_of_order_2[together]).terms);
+    if (bias <= most * fits.square_of_noise(place.vertex) * candidate.variance) result.push_back(c);
+  }
+  return result;
+}
+
 /// What vertices around a place need.
 template <class Neighbors>
 void select_candidates(const Second_order_fits<Neighbors>& fits, const Learned_models& models, Learned_place& place)
@@ -103,6 +124,8 @@ void select_candidates(const Second_order_fits<Neighbors>& fits, const Learned_m
   place.selections.fill(Selection(fits.grid()));
   place.selections[0].add(fits.grid(), place.choices[together]);
   place.selections[0].add(fits.grid(), place.of_slopes);
+  place.references = references(fits, models.of_all, place);
+  for (const std::size_t c : place.references) place.selections[0].add(fits.grid(), c);
   for (std::size_t t = 0; t < number_of_components; ++t)
     place.selections[place.choices[t].shape].add(fits.grid(), place.choices[t]);
 }
