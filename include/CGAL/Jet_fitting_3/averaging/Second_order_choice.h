@@ -91,8 +91,8 @@ public:
       in_disks = m_fits.choose(m_learned.models[place.model].of_all, candidates[0], i, 0, together, nullptr);
     }
     if (!in_disks.exists()) return estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i));
-    const bool is_unlike = !surface.given && !is_at_border(surface, i) &&
-                           contradict(place, selected, mean(candidates[0], in_disks), in_disks, i);
+    const bool is_unlike =
+        !is_at_border(surface, i) && contradict(place, selected, mean(candidates[0], in_disks), in_disks, i);
     if (is_unlike) {
       candidates[0] = m_fits.all(walker, i, result.frame, 0);
       in_disks = choice_of_its_own(m_fits, candidates[0], i);
@@ -123,7 +123,7 @@ private:
   }
 
   // Whether references say that these are not the derivatives at the vertex, by much more than noise and the bias that
-  // is expected. Not asked where normals are data, of which some disks have few.
+  // is expected.
   bool contradict(const Learned_place& place, const Candidates& references, const std::array<double, 3>& q,
                   const Choice& choice, std::size_t i) const
   {

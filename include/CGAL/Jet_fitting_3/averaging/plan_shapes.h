@@ -93,7 +93,7 @@ void add_promising(const Second_order_fits<Neighbors>& fits, Learned_place& plac
 }
 
 /// Disks no larger than those chosen whose bias is at most twice the standard deviation: they tell a vertex whose
-/// surroundings are unlike those of the place.
+/// surroundings are unlike those of the place. None where normals are data, of which some disks have few.
 template <class Neighbors>
 std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
                                     const Learned_place& place)
@@ -101,7 +101,7 @@ std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, co
   constexpr double most = 4; // squared
   std::vector<std::size_t> result;
   const Choice& choice = place.choices[together];
-  if (!choice.exists()) return result;
+  if (!choice.exists() || fits.surface().given) return result;
   const double square_of_radius = mean_scale(choice, fits.grid()).square_of_radius;
   for (std::size_t c = 0; c < fits.grid().size(); ++c) {
     const Candidate& candidate = place.candidates[0][c];
