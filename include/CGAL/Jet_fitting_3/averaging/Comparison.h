@@ -80,41 +80,48 @@ inline Comparisons compare_all(const Candidates& candidates, const Candidate_gri
   return result;
 }
 
-/// What a patch says: the members' comparisons in the mean. Exact ones, of planes without noise, must not be the only
-/// ones that count: none is taken for much more certain than they are in the mean.
+/// What a patch says: the members' comparisons of one pair in the mean; none if most have none. Exact ones, of planes
+/// without noise, must not be the only ones that count: none is taken for much more certain than they are in the mean.
+/// \param t the number of the pair
+/// \param ratio of the radii of the patch and of the pair's first candidate
+inline Comparison patch_mean(const std::vector<const Comparisons*>& members, std::size_t t, double ratio,
+                             const Target& target)
+{
+  constexpr double least_part = 0.001;
+  double least = 0; // noise
+  std::size_t count = 0;
+  for (const Comparisons* member : members) {
+    const Comparison& c = (*member)[t];
+    if (!c.exists()) continue;
+    least += least_part / double(members.size()) * c.noise;
+    ++count;
+  }
+  if (count <= members.size() / 3) return {};
+  double weights = 0, excess = 0, noises = 0;
+  Of_orders terms{};
+  for (const Comparisons* member : members) {
+    const Comparison& c = (*member)[t];
+    if (!c.exists()) continue;
+    const double noise = std::max(c.noise, least), w = 1 / (noise * noise);
+    weights += w;
+    excess += w * c.excess;
+    noises += w * c.noise;
+    for (std::size_t k = 0; k < terms.size(); ++k) terms[k] += w * c.terms[k];
+  }
+  for (double& term : terms) term /= weights;
+  const double independent = std::min(double(count), std::max(1., 2 * ratio * ratio));
+  // the square of one normal variable varies more than that of three
+  const double of_square = target.last - target.first == 1 ? 2 : 1;
+  return {excess / weights, noises / weights, std::sqrt(of_square * double(count) / weights / independent), terms};
+}
+
 inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
                                double patch_radius, const Target& target)
 {
-  Comparisons means(grid.pairs.size());
-  std::vector<double> weights(means.size()), noises(means.size());
-  std::vector<std::size_t> counts(means.size());
-  constexpr double least_part = 0.001;
-  std::vector<double> least(means.size()); // noise
-  for (const Comparisons* member : members)
-    for (std::size_t t = 0; t < means.size(); ++t)
-      if ((*member)[t].exists()) least[t] += least_part / double(members.size()) * (*member)[t].noise;
-  for (const Comparisons* member : members)
-    for (std::size_t t = 0; t < means.size(); ++t) {
-      const Comparison& c = (*member)[t];
-      if (!c.exists()) continue;
-      const double noise = std::max(c.noise, least[t]), w = 1 / (noise * noise);
-      weights[t] += w;
-      ++counts[t];
-      means[t].excess += w * c.excess;
-      noises[t] += w * c.noise;
-      for (std::size_t k = 0; k < c.terms.size(); ++k) means[t].terms[k] += w * c.terms[k];
-    }
-  for (std::size_t t = 0; t < means.size(); ++t) {
-    Comparison& mean = means[t];
-    if (counts[t] <= members.size() / 3) continue;
-    mean.excess /= weights[t];
-    mean.noise = noises[t] / weights[t];
-    for (double& term : mean.terms) term /= weights[t];
-    const double ratio = patch_radius / grid.radii[grid.shell(grid.pairs[t].first)];
-    const double independent = std::min(double(counts[t]), std::max(1., 2 * ratio * ratio));
-    // the square of one normal variable varies more than that of three
-    mean.error = std::sqrt((target.last - target.first == 1 ? 2 : 1) * double(counts[t]) / weights[t] / independent);
-  }
+  Comparisons means;
+  means.reserve(grid.pairs.size());
+  for (std::size_t t = 0; t < grid.pairs.size(); ++t)
+    means.push_back(patch_mean(members, t, patch_radius / grid.radii[grid.shell(grid.pairs[t].first)], target));
   return means;
 }
 

@@ -107,7 +107,7 @@ private:
     std::vector<std::vector<Local_sample>> shells(rungs);
     for (const std::size_t i : near) {
       const Local_sample s = local_sample(m_cloud, i, frame, 1 / unit(ladder), factor);
-      const std::size_t j = balls.first(s.square / (balls.unit() * balls.unit()));
+      const std::size_t j = std::size_t(balls.first(s.square / (balls.unit() * balls.unit())));
       if (j < rungs && s.is_there && dot(m_cloud.normals[i], frame.axes.z) > averaging::least_cosine_of_potentials)
         shells[std::max(j, ladder.first)].push_back(s);
     }

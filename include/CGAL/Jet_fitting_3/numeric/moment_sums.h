@@ -113,6 +113,18 @@ void add_powers(const Samples& a, const Samples& b, Sums<order>& of_terms, Sums<
 
 } // namespace moment_sums
 
+/// Calls f(samples, first, end) for all samples, as many side by side as registers hold: a Vector_3 of packs, and the
+/// numbers of the first of them and of the one after the last.
+template <class Function>
+void for_samples_side_by_side(const Vector_3<double>* samples, std::size_t count, const Function& f)
+{
+  using moment_sums::lanes;
+  for (std::size_t k = 0; k < count; k += lanes) {
+    const moment_sums::Samples some(samples, k, count);
+    f(Vector_3<moment_sums::Lanes>{some.x, some.y, some.z}, k, (std::min)(k + lanes, count));
+  }
+}
+
 /// Adds what samples contribute to the sums of x^i y^j, up to an order, and, up to a degree, of x^i y^j times the first
 /// so many of z, z^2, z (x^2 + y^2 + z^2). They are in the order 1, x, y, x^2, xy, y^2, ...
 /// \param sums_of_rights where they are, one for each of these

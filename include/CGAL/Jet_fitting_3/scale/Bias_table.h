@@ -96,12 +96,15 @@ inline double variance(const Turned_second_order& fit, std::size_t target)
   return constant::variance_factor * (target == 0 ? fit.slopes_variance : fit.variance[target - 1]);
 }
 
-/// The squared difference of two fits in a target.
-inline double squared_difference(const Turned_second_order& a, const Turned_second_order& b, std::size_t target)
+/// What a fit finds of a target: both slopes, or a second derivative and 0; with its variance.
+struct Found
 {
-  if (target > 0) return (a.value[target + 1] - b.value[target + 1]) * (a.value[target + 1] - b.value[target + 1]);
-  const double x = a.value[0] - b.value[0], y = a.value[1] - b.value[1];
-  return x * x + y * y;
+  double x, y, variance;
+};
+
+inline Found found(const Turned_second_order& fit, std::size_t target)
+{
+  return {fit.value[target == 0 ? 0 : target + 1], target == 0 ? fit.value[1] : 0, variance(fit, target)};
 }
 
 /// An estimate with its standard error.
@@ -137,9 +140,19 @@ public:
     std::size_t degree, rung;
   };
 
-  Patch_statistics(const Patch& patch, const Ladder& ladder, std::size_t target)
-    : m_patch(patch), m_ladder(ladder), m_target(target)
-  {}
+  /// \param shapes, end those fits are compared that are in one of these shapes and of a rung below the end
+  Patch_statistics(const Patch& patch, const Ladder& ladder, std::size_t target, const std::vector<Shape>& shapes,
+                   std::size_t end)
+    : m_patch(patch), m_ladder(ladder), m_target(target), m_end(end)
+  {
+    for (const Shape shape : shapes) {
+      std::vector<Found>& of_shape = m_found[std::size_t(shape)];
+      of_shape.reserve((highest_nested_degree - 1) * end * patch.size());
+      for (std::size_t degree = 2; degree <= highest_nested_degree; ++degree)
+        for (std::size_t j = 0; j < end; ++j)
+          for (const Member& member : patch) of_shape.push_back(found_by(member, {shape, degree, j}));
+    }
+  }
 
   /// The squared bias of a candidate against a reference that has some of its samples and no lower degree, unbiased if
   /// the reference is: what is left of the squared difference beyond noise, which is the difference of the variances
@@ -148,15 +161,14 @@ public:
   {
     double total = 0, sum = 0, weights = 0, squares = 0;
     std::size_t n = 0;
-    for (const auto& [local, weight] : m_patch) {
-      if (local->of_shape(of_candidate.shape).size() <= of_candidate.rung) continue;
-      const Turned_second_order &candidate = found(*local, of_candidate), &reference = found(*local, of_reference);
-      const double v = variance(candidate, m_target), v_k = variance(reference, m_target);
-      if (!(v < unknown) || !(v_k < unknown) || !(v_k > 0)) continue;
-      const double d = squared_difference(candidate, reference, m_target);
-      const double w = weight / (v_k * v_k);
+    const Found *candidates = found_at_members(of_candidate), *references = found_at_members(of_reference);
+    for (std::size_t i = 0; i < m_patch.size(); ++i) {
+      const Found &candidate = candidates[i], &reference = references[i];
+      if (!(candidate.variance < unknown) || !(reference.variance < unknown) || !(reference.variance > 0)) continue;
+      const double x = candidate.x - reference.x, y = candidate.y - reference.y;
+      const double weight = m_patch[i].weight, w = weight / (reference.variance * reference.variance);
       total += w;
-      sum += w * (d - std::max(0., v_k - v));
+      sum += w * (x * x + y * y - std::max(0., reference.variance - candidate.variance));
       weights += weight;
       squares += weight * weight;
       ++n;
@@ -174,14 +186,23 @@ private:
     return 2 * ratio * ratio * (is_ellipse(fit.shape) ? elongation : 1);
   }
 
-  static const Turned_second_order& found(const Local_ladder& local, const Fit& fit)
+  // Of unknown variance where there is no such fit.
+  Found found_by(const Member& member, const Fit& fit) const
   {
-    return local.of_shape(fit.shape)[fit.rung].of_degree(fit.degree);
+    const std::vector<Rung>& rungs = member.ladder->of_shape(fit.shape);
+    return fit.rung < rungs.size() ? found(rungs[fit.rung].of_degree(fit.degree), m_target) : Found{0, 0, unknown};
+  }
+
+  const Found* found_at_members(const Fit& fit) const
+  {
+    const std::size_t row = (fit.degree - 2) * m_end + fit.rung;
+    return m_found[std::size_t(fit.shape)].data() + row * m_patch.size();
   }
 
   const Patch& m_patch;
   const Ladder& m_ladder;
-  std::size_t m_target;
+  std::size_t m_target, m_end;
+  std::array<std::vector<Found>, number_of_shapes> m_found; // of each shape by degree, rung, and member
 };
 
 /// Bias at one rung: what is proved, what is seen, what is likely, and by how many standard errors it shows.
@@ -319,9 +340,11 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const L
                                    Shape shape, std::size_t end)
 {
   Bias_in_shape result;
-  const Patch_statistics statistics(patch, ladder, target);
-  const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
   const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
+  std::vector<Shape> shapes{shape};
+  if (has_ellipse) shapes.push_back(long_shape(target));
+  const Patch_statistics statistics(patch, ladder, target, shapes, end);
+  const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
   for (std::size_t degree = 2; degree <= highest_nested_degree; ++degree) {
     if (!is_candidate(target, degree)) continue;
     std::vector<Bias_bounds> bounds(end);

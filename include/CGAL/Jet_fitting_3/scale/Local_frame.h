@@ -43,6 +43,8 @@ enum class Shape
   flat_ball ///< a ball from positions alone, where heights are fitted; in the others they are round heights
 };
 
+constexpr std::size_t number_of_shapes = 4;
+
 constexpr bool is_ellipse(Shape shape) { return shape == Shape::along_x || shape == Shape::along_y; }
 
 /// The number of an ellipse, along x or along y, in what has one thing for each.

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_LOCAL_LADDER_H
 #define CGAL_JET_FITTING_3_SCALE_LOCAL_LADDER_H
 
+#include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
@@ -117,27 +118,26 @@ public:
   /// For degree 2.
   Shells in_balls() const
   {
-    return in_shells([&](std::size_t j) {
-      return [square = m_balls.square(j)](const Vector_3<double>& s) { return dot(s, s) <= square; };
-    });
+    return in_shells([&](const auto& s) { return m_balls.first(dot(s, s)); });
   }
 
   /// For degrees 3 and 4.
   Shells over_surface(const Surface_cut& cut) const
   {
-    return in_shells([&](std::size_t j) { return cut.in_ball(j); });
+    return in_shells([&](const auto& s) { return cut.first(s); });
   }
 
 private:
-  // All are asked for all balls: that is faster than jumps that none can foresee.
-  template <class In_ball>
-  Shells in_shells(const In_ball& in_ball) const
+  // By the number of the first ball that has one, as a function.
+  template <class First>
+  Shells in_shells(const First& first) const
   {
-    std::vector<std::uint32_t> ball(m_neighbors.size(), std::uint32_t(m_balls.size()));
-    for (std::size_t j = m_balls.size(); j-- > 0;) {
-      const auto has = in_ball(j);
-      for (std::size_t k = 0; k < ball.size(); ++k) ball[k] = has(m_neighbors[k]) ? std::uint32_t(j) : ball[k];
-    }
+    std::vector<std::uint32_t> ball(m_neighbors.size());
+    const auto find = [&](const auto& some, std::size_t begin, std::size_t end) {
+      const auto of_some = first(some);
+      for (std::size_t k = begin; k < end; ++k) ball[k] = std::uint32_t(of_some[int(k - begin)]);
+    };
+    numeric::for_samples_side_by_side(m_neighbors.data(), m_neighbors.size(), find);
     std::vector<std::size_t> begins(m_balls.size() + 2, 0);
     for (const std::uint32_t j : ball) ++begins[j + 1];
     for (std::size_t j = 1; j < begins.size(); ++j) begins[j] += begins[j - 1];
@@ -213,13 +213,17 @@ inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const
   for (int time = 0; time < 2; ++time) {
     const std::optional<Round_surface> surface = result.fit.surface();
     if (!surface) return result;
-    const auto counts = cut.on_both_sides(j, *surface);
     std::vector<std::size_t> neighbors;
     std::vector<Vector_3<double>> left_out;
     neighbors.reserve(count);
-    for (std::size_t k = 0; k < count; ++k)
-      if (counts(shells.places[k])) neighbors.push_back(k);
-      else left_out.push_back(shells.places[k]);
+    const auto count_of = cut.on_both_sides(j, *surface);
+    const auto select = [&](const auto& some, std::size_t begin, std::size_t end) {
+      const auto counts = count_of(some);
+      for (std::size_t k = begin; k < end; ++k)
+        if (counts[int(k - begin)]) neighbors.push_back(k);
+        else left_out.push_back(shells.places[k]);
+    };
+    numeric::for_samples_side_by_side(shells.places.data(), count, select);
     if (neighbors == result.neighbors) return result;
     if (double(left_out.size()) > most * double(count)) return all;
     Round_sums of_left_out, sums = of_all;
@@ -305,7 +309,8 @@ public:
     for (const Local_sample& sample : m_samples) {
       if (rungs.end < m_balls.size() && sample.square > m_balls.square(rungs.end - 1)) continue;
       const Local_sample s = shape == Shape::ball ? sample : turned(sample, cosine, sine);
-      const std::size_t j = std::max(rungs.first, m_balls.first(squared_radius(shape, s.square, s.u, s.v)));
+      const std::size_t j =
+          std::max(rungs.first, std::size_t(m_balls.first(squared_radius(shape, s.square, s.u, s.v))));
       if (j < rungs.end) sums[j].add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
     }
     accumulate(sums);

@@ -27,19 +27,21 @@ struct Round_surface
   Roundness round;
 
   /// The round height over a place in the tangent plane.
-  double round_height(double u, double v) const
+  template <class FT>
+  FT round_height(const FT& u, const FT& v) const
   {
-    const double of_1 = c[0] + v * (c[2] + v * (c[5] + v * (c[9] + v * c[14])));
-    const double of_u = c[1] + v * (c[4] + v * (c[8] + v * c[13]));
-    const double of_u2 = c[3] + v * (c[7] + v * c[12]), of_u3 = c[6] + v * c[11];
+    const FT of_1 = c[0] + v * (c[2] + v * (c[5] + v * (c[9] + v * c[14])));
+    const FT of_u = c[1] + v * (c[4] + v * (c[8] + v * c[13]));
+    const FT of_u2 = c[3] + v * (c[7] + v * c[12]), of_u3 = c[6] + v * c[11];
     return of_1 + u * (of_u + u * (of_u2 + u * (of_u3 + u * c[10])));
   }
 
   /// The square of about the cosine of the angle with the tangent plane where the round height is this: of the
   /// derivative of round heights by heights, but for their part with z^3. Not positive where there is no surface.
-  double squared_cosine(double u, double v, double round_height) const
+  template <class FT>
+  FT squared_cosine(const FT& u, const FT& v, const FT& round_height) const
   {
-    const double of_z = 1 + round.product / 4 * (u * u + v * v);
+    const FT of_z = 1 + round.product / 4 * (u * u + v * v);
     return of_z * of_z - 2 * round.sum * round_height;
   }
 };

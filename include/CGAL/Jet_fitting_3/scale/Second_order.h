@@ -34,7 +34,12 @@ struct Roundness
   /// The factors of z, z^2, and z |p|^2.
   std::array<double, 3> factors() const { return {1, -sum / 2, product / 4}; }
 
-  double height(const Vector_3<double>& p) const { return p.z * (1 - sum * p.z / 2 + product * dot(p, p) / 4); }
+  /// \tparam FT a number or a pack
+  template <class FT>
+  FT height(const Vector_3<FT>& p) const
+  {
+    return p.z * (1 - sum * p.z / 2 + product * dot(p, p) / 4);
+  }
 };
 
 /// How the jet of the surface at the origin follows from that of its round heights where they are not 0 there: the

@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_SURFACE_CUT_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Round_surface.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -58,11 +60,13 @@ public:
   std::size_t size() const { return m_squares.size(); }
   double square(std::size_t j) const { return m_squares[j]; }
 
-  /// The first ball that reaches so far; size() if none does.
-  std::size_t first(double square) const
+  /// The number of the first ball that reaches so far; size() if none does.
+  /// \tparam FT a number or a pack. All balls are asked: that is faster than jumps that none can foresee
+  template <class FT>
+  FT first(const FT& square) const
   {
-    std::size_t j = 0;
-    while (j < m_squares.size() && square > m_squares[j]) ++j;
+    FT j = 0;
+    for (const double s : m_squares) j = j + numeric::select(square > FT(s), FT(1), FT(0));
     return j;
   }
 
@@ -101,39 +105,51 @@ public:
   /// \param of_balls fits of degree 2, one a ball
   Surface_cut(const Balls& balls, const std::vector<Look>& looks, const std::vector<Second_order>& of_balls,
               const Ladder& ladder)
-    : m_balls(balls), m_least_distance(6 * ladder.noise.position / balls.unit()), m_surfaces(looks.size())
+    : m_balls(balls), m_nearest(std::pow(6 * ladder.noise.position / balls.unit(), 2)), m_surface(looks.size())
   {
     for (std::size_t j = 0, k = 0; j < looks.size(); ++j) {
       if (!looks[j].is_cut) continue;
       while (looks[k].rung < looks[j].surface) ++k;
-      m_surfaces[j] = {true, surface(of_balls[k])};
+      m_surface[j] = k;
+      m_cut.push_back(j);
     }
+    for (const Second_order& fit : of_balls) m_surfaces.push_back(heights(fit));
   }
 
-  /// Whether ball j has a neighbor, given in lengths of its unit, as a function.
-  auto in_ball(std::size_t j) const
+  /// The number of the first ball that has a neighbor, given in lengths of their unit; the number of balls if none has.
+  /// \tparam FT a number or a pack
+  template <class FT>
+  FT first(const Vector_3<FT>& s) const
   {
-    const double in = m_surfaces[j].cuts ? m_balls.square(j) : -1;
-    return [in, place = Place(m_surfaces[j].heights, m_least_distance)](const Vector_3<double>& s) {
-      const auto [height, square, most] = place(s);
-      return bool((square <= in) & ((s.z - height) * (s.z - height) <= most));
-    };
+    FT ball = double(m_balls.size());
+    for (std::size_t c = m_cut.size(); c > 0;) {
+      const std::size_t surface = m_surface[m_cut[c - 1]];
+      const Place<FT> place(m_surfaces[surface], m_nearest, s);
+      const auto is_far = FT((s.z - place.height) * (s.z - place.height)) > place.most;
+      for (; c > 0 && m_surface[m_cut[c - 1]] == surface; --c) {
+        const std::size_t j = m_cut[c - 1];
+        ball = numeric::select(is_far | (place.square > FT(m_balls.square(j))), ball, FT(double(j)));
+      }
+    }
+    return ball;
   }
 
-  /// Whether a neighbor that ball j has would still be there if its noise had the other sign, as a function. Where the
-  /// surface leaves the one of degree 2 that cuts, neighbors are near that if their noise is towards it, and would pull
-  /// fits of degree 4.
+  /// Whether a neighbor that ball j has would still be there if its noise had the other sign, as a function of packs.
+  /// Where the surface leaves the one of degree 2 that cuts, neighbors are near that if their noise is towards it, and
+  /// would pull fits of degree 4.
   /// \param fitted to the neighbors that ball j has
   auto on_both_sides(std::size_t j, const Round_surface& fitted) const
   {
-    constexpr double least_cosine = 0.4; // where it is steeper, noise of heights is large
-    return [fitted, place = Place(m_surfaces[j].heights, m_least_distance)](const Vector_3<double>& s) {
-      const auto [height, square, most] = place(s);
+    return [fitted, &surface = m_surfaces[m_surface[j]], nearest = m_nearest](const auto& s) {
+      using FT = std::decay_t<decltype(s.x)>;
+      const FT least_cosine = 0.4; // where it is steeper, noise of heights is large
+      const Place<FT> place(surface, nearest, s);
       // The surface is between these heights if the image of the neighbor at it is not far. Round heights tell.
-      const double distance = std::sqrt(most), low = (s.z + height - distance) / 2, high = low + distance;
-      const double of_fit = fitted.round_height(s.x, s.y);
-      return fitted.squared_cosine(s.x, s.y, of_fit) > least_cosine * least_cosine &&
-             of_fit >= fitted.round.height({s.x, s.y, low}) && of_fit <= fitted.round.height({s.x, s.y, high});
+      const FT distance = numeric::square_root(place.most), low = (s.z + place.height - distance) / 2;
+      const FT high = low + distance, of_fit = fitted.round_height(s.x, s.y);
+      return (fitted.squared_cosine(s.x, s.y, of_fit) > least_cosine * least_cosine) &
+             !((of_fit < fitted.round.height(Vector_3<FT>{s.x, s.y, low})) |
+               (of_fit > fitted.round.height(Vector_3<FT>{s.x, s.y, high})));
     };
   }
 
@@ -141,48 +157,33 @@ private:
   using Heights = std::array<double, 6>;
 
   // Of a neighbor on the surface that cuts.
-  class Place
+  template <class FT>
+  struct Place
   {
-  public:
-    struct Result
-    {
-      double height, square; // of the distance from the origin
-      double most;           // square of the distance from the surface that a neighbor may have
-    };
+    FT height, square; // of the distance from the origin
+    FT most;           // square of the distance from the surface that a neighbor may have
 
-    Place(const Heights& heights, double least_distance)
-      : m_heights(heights), m_nearest(least_distance * least_distance)
-    {}
-
-    Result operator()(const Vector_3<double>& s) const
+    Place(const Heights& c, double nearest, const Vector_3<FT>& s)
     {
-      const Heights& c = m_heights;
-      const double u = s.x, v = s.y, h = c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
-      const double square = u * u + v * v + h * h;
-      return {h, square, std::max(m_nearest, farthest * farthest * square)};
+      const FT u = s.x, v = s.y;
+      height = c[0] + u * (c[1] + c[3] * u + c[4] * v) + v * (c[2] + c[5] * v);
+      square = u * u + v * v + height * height;
+      most = numeric::larger(FT(nearest), farthest * farthest * square);
     }
-
-  private:
-    Heights m_heights;
-    double m_nearest;
   };
 
-  Heights surface(const Second_order& fit) const
+  Heights heights(const Second_order& fit) const
   {
     const auto& q = fit.value;
     const double unit = m_balls.unit();
     return {fit.height / unit, q[0], q[1], unit * q[2] / 2, unit * std::sqrt(0.5) * q[3], unit * q[4] / 2};
   }
 
-  struct Surface
-  {
-    bool cuts = false;
-    Heights heights{};
-  };
-
   const Balls& m_balls;
-  double m_least_distance;
-  std::vector<Surface> m_surfaces; // one a ball
+  double m_nearest;                   // square of a distance from a surface that a neighbor may have wherever it is
+  std::vector<Heights> m_surfaces;    // the fits of degree 2
+  std::vector<std::size_t> m_surface; // of each ball
+  std::vector<std::size_t> m_cut;     // the balls that are cut
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
