@@ -158,16 +158,24 @@ inline bool hides_highest_order(const Moments& moments, const Normal_matrix& mat
   return false;
 }
 
-/// The candidate of this degree for derivatives of this order, or none: where there are less than 1.3 samples a
-/// coefficient, or the samples hardly determine it (noise would grow to more than 1000 / radius^order times the
-/// derivatives of a term with unit coefficients, or a tenth of that is by terms that the samples hide).
+/// Whether there are equations enough for a degree: 1.15 a coefficient where the samples are around the origin, so that
+/// degrees 2, 4, 6 can be fitted to 1, 2, 3 rings of a regular mesh; 1.3 where their middle is beside it, at borders.
+inline bool are_enough(const Moments& moments, std::size_t degree, double radius)
+{
+  const double x = moments.terms[1], y = moments.terms[2], beside = moments.size() * radius / 4;
+  const double least = x * x + y * y < beside * beside ? 1.15 : 1.3;
+  return moments.equations(degree, radius) >= least * double(number_of_jet_coefficients(degree));
+}
+
+/// The candidate of this degree for derivatives of this order, or none: where there are too few equations, or the
+/// samples hardly determine it (noise would grow to more than 1000 / radius^order times the derivatives of a term with
+/// unit coefficients, or a tenth of that is by terms that the samples hide).
 /// \param with_rows which take the most time; they need moments of all orders
 inline Candidate candidate(const Moments& moments, std::size_t degree, std::size_t shell, double radius,
                            std::size_t order, bool with_rows)
 {
   Candidate result;
-  if (degree < order || moments.equations(degree, radius) < 1.3 * double(number_of_jet_coefficients(degree)))
-    return result;
+  if (degree < order || !are_enough(moments, degree, radius)) return result;
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
   const std::optional<Coefficients> found = moments.are_of_potentials
