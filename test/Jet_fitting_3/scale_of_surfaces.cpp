@@ -131,7 +131,12 @@ void axes_have_the_order_of_others()
 
 void too_few_samples_are_no_candidate()
 {
-  test::check_true(!fit(random_samples(18, 4), 18, 4, 2), "18 samples are no candidate of degree 4");
+  test::check_true(!fit(random_samples(17, 4), 17, 4, 2), "17 samples are no candidate of degree 4");
+  test::check_true(bool(fit(random_samples(18, 4), 18, 4, 2)), "18 samples around the origin are one");
+  std::vector<Vector> beside = random_samples(20, 4);
+  for (Vector& s : beside) s.x += 0.5;
+  test::check_true(!fit(beside, 19, 4, 2), "19 samples beside it are none");
+  test::check_true(bool(fit(beside, 20, 4, 2)), "20 samples beside it are one");
   std::vector<Vector> line = random_samples(50, 5);
   for (Vector& s : line) s.y = 0;
   test::check_true(!fit(line, 50, 2, 2), "samples on a line are no candidate");
