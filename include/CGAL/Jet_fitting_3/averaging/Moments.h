@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -60,6 +61,8 @@ struct Moments
 
   /// Number of samples.
   double size() const { return terms[0]; }
+  /// How far the middle of the samples lies beside the origin.
+  double off_center() const { return std::hypot(terms[1], terms[2]) / size(); }
   /// Of the samples that have slopes.
   const Terms& terms_of_slopes() const { return have_all_slopes ? terms : terms_of_some; }
   /// How many a fit of this degree has within a radius: one a height and up to two a slope, fewer where slopes weigh

@@ -162,8 +162,7 @@ inline bool hides_highest_order(const Moments& moments, const Normal_matrix& mat
 /// degrees 2, 4, 6 can be fitted to 1, 2, 3 rings of a regular mesh; 1.3 where their middle is beside it, at borders.
 inline bool are_enough(const Moments& moments, std::size_t degree, double radius)
 {
-  const double x = moments.terms[1], y = moments.terms[2], beside = moments.size() * radius / 4;
-  const double least = x * x + y * y < beside * beside ? 1.15 : 1.3;
+  const double least = moments.off_center() < radius / 4 ? 1.15 : 1.3;
   return moments.equations(degree, radius) >= least * double(number_of_jet_coefficients(degree));
 }
 

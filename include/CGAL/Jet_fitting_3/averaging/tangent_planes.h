@@ -46,7 +46,7 @@ Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Nei
     const auto c = matrix.solution(moments.heights, 2);
     if (round > 0) frame.origin = frame.origin + frame.axes.out({0, 0, unit * c[0]});
     frame.axes = axes_around(surface, i, frame.axes.out({-c[1], -c[2], 1}));
-    off_center = std::hypot(moments.terms[1], moments.terms[2]) / moments.size();
+    off_center = moments.off_center();
     bend = 2 * c[3] * c[3] + c[4] * c[4] + 2 * c[5] * c[5];
   }
   return {frame.origin, frame.axes.z, off_center, bend};

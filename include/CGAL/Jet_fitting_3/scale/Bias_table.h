@@ -336,14 +336,11 @@ inline void expect_falling_terms(Bias_table& table, Bias_in_shape Bias_of_target
 }
 
 /// Of a target in a shape.
-inline Bias_in_shape bias_in_shape(const Patch_statistics::Patch& patch, const Ladder& ladder, std::size_t target,
-                                   Shape shape, std::size_t end)
+inline Bias_in_shape bias_in_shape(const Patch_statistics& statistics, const Patch_statistics::Patch& patch,
+                                   const Ladder& ladder, std::size_t target, Shape shape, std::size_t end)
 {
   Bias_in_shape result;
   const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
-  std::vector<Shape> shapes{shape};
-  if (has_ellipse) shapes.push_back(long_shape(target));
-  const Patch_statistics statistics(patch, ladder, target, shapes, end);
   const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
   for (std::size_t degree = 2; degree <= highest_nested_degree; ++degree) {
     if (!is_candidate(target, degree)) continue;
@@ -363,9 +360,12 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
 {
   Bias_table table;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    table[target].in_balls = bias_in_shape(patch, ladder, target, Shape::ball, end);
-    if (other_shape(target, ladder) != Shape::ball)
-      table[target].in_others = bias_in_shape(patch, ladder, target, other_shape(target, ladder), end);
+    const Shape other = other_shape(target, ladder);
+    std::vector<Shape> shapes{Shape::ball};
+    if (other != Shape::ball) shapes.push_back(other);
+    const Patch_statistics statistics(patch, ladder, target, shapes, end);
+    table[target].in_balls = bias_in_shape(statistics, patch, ladder, target, Shape::ball, end);
+    if (other != Shape::ball) table[target].in_others = bias_in_shape(statistics, patch, ladder, target, other, end);
   }
   if (ladder.with_normals) return table;
   const double square = squared_curvature(patch, ladder);

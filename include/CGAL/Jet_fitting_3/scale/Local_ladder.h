@@ -134,8 +134,8 @@ private:
   {
     std::vector<std::uint32_t> ball(m_neighbors.size());
     const auto find = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
-      const auto of_some = first(side_by_side);
-      for (std::size_t k = begin; k < end; ++k) ball[k] = std::uint32_t(of_some[int(k - begin)]);
+      const auto numbers = first(side_by_side);
+      for (std::size_t k = begin; k < end; ++k) ball[k] = std::uint32_t(numbers[int(k - begin)]);
     };
     numeric::for_samples_side_by_side(m_neighbors.data(), m_neighbors.size(), find);
     std::vector<std::size_t> begins(m_balls.size() + 2, 0);
@@ -216,11 +216,11 @@ inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const
     std::vector<std::size_t> neighbors;
     std::vector<Vector_3<double>> left_out;
     neighbors.reserve(count);
-    const auto count_of = cut.on_both_sides(j, *surface);
+    const auto are_on_both_sides = cut.on_both_sides(j, *surface);
     const auto select = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
-      const auto counts = count_of(side_by_side);
+      const auto stay = are_on_both_sides(side_by_side);
       for (std::size_t k = begin; k < end; ++k)
-        if (counts[int(k - begin)]) neighbors.push_back(k);
+        if (stay[int(k - begin)]) neighbors.push_back(k);
         else left_out.push_back(shells.places[k]);
     };
     numeric::for_samples_side_by_side(shells.places.data(), count, select);
