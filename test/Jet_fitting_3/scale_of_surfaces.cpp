@@ -142,6 +142,33 @@ void too_few_samples_are_no_candidate()
   test::check_true(!fit(line, 50, 2, 2), "samples on a line are no candidate");
 }
 
+// Three vertices of a torus nearly on a line, two of their normals: fits of potentials, which are not linear, err by no
+// more than their variance tells, or are no candidates.
+void potentials_along_a_line()
+{
+  constexpr double noise = 0.05, unit_curvature = 0.3;
+  const std::vector<Vector> samples{{0.2082, -0.5811, 0.0447}, {-0.3768, 0.6891, -0.0809}, {0, 0, 0.0003}};
+  const scale::Slope slopes[]{{0.0009, -0.0864}, {-0.0178, 0.0618}};
+  std::size_t candidates = 0;
+  for (double beside = 1; beside > 1e-3; beside /= 1.5) {
+    std::vector<Vector> moved = samples;
+    moved[2].x += beside;
+    moved[2].z += unit_curvature * beside * beside / 2;
+    scale::Moments moments;
+    moments.slope_weight = 3.43;
+    moments.are_of_potentials = true;
+    moments.have_all_slopes = false;
+    moments.add<2>(moved.data(), moved.size());
+    moments.add_slopes<2>(moved.data(), slopes, 2);
+    const scale::Candidate found = scale::candidate(moments, 2, 0, 0.9645, 2, false);
+    if (!found) continue;
+    ++candidates;
+    test::check_le(std::sqrt(scale::square_of_values(found)),
+                   2 * unit_curvature + 5 * noise * std::sqrt(found.variance), "curvatures of a quadric along a line");
+  }
+  test::check_le(std::size_t(2), candidates, "quadrics that are determined are candidates");
+}
+
 void weights_have_least_risk()
 {
   scale::Symmetric_matrix independent(3);
@@ -327,6 +354,7 @@ int main()
   squares_do_not_depend_on_axes();
   axes_have_the_order_of_others();
   too_few_samples_are_no_candidate();
+  potentials_along_a_line();
   weights_have_least_risk();
   model_finds_the_variances_of_terms();
   noisy_meshes();

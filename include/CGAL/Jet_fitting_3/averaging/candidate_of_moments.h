@@ -115,7 +115,8 @@ inline numeric::Vector_field<double> defect_of_slopes(numeric::Power_series<doub
 
 /// The coefficients of z (1 + n_z) / 2 up to an order. What of the slopes is not its gradient is subtracted: it begins
 /// with order 3, and follows from terms of one order less, which each pass knows better.
-/// \return none if a further pass changes second derivatives by more than the first one, and not by rounding alone
+/// \return none if the first pass changes second derivatives by more than their size, as where samples hardly
+///         determine them, or a further one by more than the first one, and not by rounding alone
 inline std::optional<Coefficients> solution_for_potential(const Moments& moments, const Normal_matrix& matrix,
                                                           std::size_t degree, std::size_t order)
 {
@@ -130,13 +131,14 @@ inline std::optional<Coefficients> solution_for_potential(const Moments& moments
     const Coefficients before = solution;
     solution = matrix.solution(without_defect(moments, degree, defect_of_slopes(phi, known), order_of_slopes),
                                std::max(known, order));
-    double change = 0, size = 0;
+    double change = 0, size = 0, size_before = 0;
     for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) {
       change += (solution[t] - before[t]) * (solution[t] - before[t]);
       size += solution[t] * solution[t];
+      size_before += before[t] * before[t];
     }
-    if (pass == 0) first = change;
-    else if (!(change <= std::max(first, rounding * size))) return std::nullopt;
+    if (pass == 0) first = std::min(change, size_before);
+    if (!(change <= std::max(first, rounding * size))) return std::nullopt;
   }
   return solution;
 }
