@@ -38,7 +38,7 @@ inline const char* advice(CGAL::Jet_fitting::Status_flag flag)
   case Flag::rank_deficient: return "neighbors coincide, or lie on a curve: more of them (-a, -p, -r), or a smaller -d";
   case Flag::degree_lowered: return "too few neighbors for the degree: fitted with a lower one";
   case Flag::one_sided: return "neighbors mostly on one side, as at a border: errors are larger there";
-  case Flag::near_umbilic: return "flat or round places, where d1 and d2 mean little; k1 and k2 are good";
+  case Flag::near_umbilic: return "d1 and d2 mean little: flat or round places, or errors as large as curvatures";
   case Flag::pca_ambiguous:
     return "neighbors far from a plane: sharp edges (--sharp-angle auto), or too many neighbors";
   case Flag::few_points_for_robust_loss: return "too few neighbors to tell outliers: more of them (-a, -p, -r)";
