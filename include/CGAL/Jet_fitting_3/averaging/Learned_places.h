@@ -90,13 +90,12 @@ Bias_model model_of(const Learned_places& learned, std::size_t m, const Candidat
   const Near& near = learned.models[m].near;
   const std::vector<std::size_t> patch = learned.patch_of(learned.models[m]);
   std::vector<const Comparisons*> members;
-  double size = 0, square = squared_distance(center.point, learned.points[near.back().second].point);
+  double size = 0;
   for (const std::size_t place : patch) {
-    square = std::max(square, squared_distance(center.point, learned.points[place].point));
     size += learned.places[place].own_size / double(patch.size());
     if (const Comparisons* member = comparisons_at(place)) members.push_back(member);
   }
-  const Comparisons means = patch_means(members, grid, std::sqrt(square) / center.unit, target);
+  const Comparisons means = patch_means(members, grid, patch_radius(learned.points, center, near), target);
   return bias_model(means, grid, 2, size / size_of_unit_terms(2));
 }
 

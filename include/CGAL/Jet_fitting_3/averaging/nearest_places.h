@@ -103,6 +103,14 @@ inline Near nearest_places(const std::vector<Whereabouts>& places, const Whereab
   return near;
 }
 
+/// How far a place's nearest ones are, in its unit, the farthest of them.
+inline double patch_radius(const std::vector<Whereabouts>& places, const Whereabouts& center, const Near& near)
+{
+  double square = 0;
+  for (const auto& [distance, k] : near) square = std::max(square, squared_distance(center.point, places[k].point));
+  return std::sqrt(square) / center.unit;
+}
+
 /// At how many places is learned, at most.
 constexpr std::size_t most_places = 400;
 

@@ -147,24 +147,28 @@ std::vector<Tangent_plane> tangent_planes(const Surface_points<Neighbors>& surfa
 template <class Neighbors>
 std::vector<Vector_3<double>> filled(std::vector<Vector_3<double>> normals, const Neighbors& neighbors)
 {
-  std::vector<std::size_t> unknown;
+  const auto is_known = [&normals](std::size_t i) { return dot(normals[i], normals[i]) > 0; };
+  std::vector<std::size_t> unknown; // whose neighbors have changed
   for (std::size_t i = 0; i < normals.size(); ++i)
-    if (!(dot(normals[i], normals[i]) > 0)) unknown.push_back(i);
+    if (!is_known(i)) unknown.push_back(i);
   while (!unknown.empty()) {
-    std::vector<std::size_t> left;
     std::vector<std::pair<std::size_t, Vector_3<double>>> found;
     for (const std::size_t i : unknown) {
       Vector_3<double> sum{0, 0, 0};
       for (const std::size_t v : neighbors(i)) sum = sum + normals[v];
       const double length = std::sqrt(dot(sum, sum));
       if (length > 0) found.push_back({i, 1 / length * sum});
-      else left.push_back(i);
     }
-    if (found.empty()) break;
     for (const auto& [i, normal] : found) normals[i] = normal;
-    unknown = std::move(left);
+    unknown.clear();
+    for (const auto& [i, normal] : found)
+      for (const std::size_t v : neighbors(i))
+        if (!is_known(v)) unknown.push_back(v);
+    std::sort(unknown.begin(), unknown.end());
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
   }
-  for (const std::size_t i : unknown) normals[i] = {0, 0, 1};
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (!is_known(i)) normals[i] = {0, 0, 1};
   return normals;
 }
 
