@@ -281,6 +281,27 @@ void units_and_threads()
 #endif
 }
 
+// Points around a tube, about as far from each other as its radius, do not look like those of a surface: the tube may
+// be noise.
+void thin_tubes()
+{
+  const auto noise_of_tube = [](double radius, std::size_t n) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(0, turn);
+    std::vector<Oriented> points;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double u = uniform(random), v = uniform(random), ring = 2 + radius * std::cos(v);
+      points.emplace_back(Kernel::Point_3(ring * std::cos(u), ring * std::sin(u), radius * std::sin(v)),
+                          Vector(0, 0, 0));
+    }
+    return noise_of_positions(points);
+  };
+  for (const auto& [radius, n] : {std::pair(0.1, 1000), std::pair(0.1, 1500), std::pair(0.3, 600)}) {
+    const Noise noise = noise_of_tube(radius, std::size_t(n));
+    check_ge(noise.position_error, noise.position, "error of the noise of a thin tube");
+  }
+}
+
 void too_few()
 {
   const std::vector<Oriented> points = Noisy_points(surfaces()[0], 44, 0.01, 0, 1).points;
@@ -300,6 +321,7 @@ int main()
   check_ge(double(all_cases.held) / all_cases.count, 0.95, "part of all cases within two errors");
   in_summaries();
   units_and_threads();
+  thin_tubes();
   too_few();
   return result();
 }

@@ -180,8 +180,8 @@ inline double off_center(const Cloud& cloud, const Indices& near, const Local_fr
   return std::hypot(dot(d, frame.axes.x), dot(d, frame.axes.y)) / radius;
 }
 
-/// The direction in which the points of a ball spread least.
-inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
+/// The principal axes of the points of a ball, and how far these spread along each, squared, summed, per radius.
+inline numeric::Eigen_3<double> principal_axes(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
 {
   numeric::Symmetric_3<double> s{0, 0, 0, 0, 0, 0};
   Vector_3<double> sum{0, 0, 0};
@@ -196,7 +196,13 @@ inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, 
   const Vector_3<double> m = (1 / n) * sum;
   s = {s.xx - m.x * sum.x, s.xy - m.x * sum.y, s.xz - m.x * sum.z,
        s.yy - m.y * sum.y, s.yz - m.y * sum.z, s.zz - m.z * sum.z};
-  return numeric::symmetric_eigen_3(s).vectors[2];
+  return numeric::symmetric_eigen_3(s);
+}
+
+/// The direction in which the points of a ball spread least.
+inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
+{
+  return principal_axes(cloud, near, i, radius).vectors[2];
 }
 
 /// From positions: principal component analysis, then degree 2 twice, the origin moving to its foot point on the fitted

@@ -44,6 +44,7 @@ struct Residual_variances
 {
   double heights = -1, slopes = -1;
   double neighbors = 0;
+  bool look_flat = false; ///< whether the points spread far more along two axes than along the third
 };
 
 /// The neighbors of point i that lie within a radius are what within(i, radius, indices) gives.
@@ -54,8 +55,11 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   within(i, radius, near);
   if (near.size() < number_of_unknowns + 10) return {};
   const Cloud positions{cloud.points, nullptr, cloud.size};
-  const Local_frame frame{cloud.points[i], basis_around(thin_direction(cloud, near, i, radius))};
+  constexpr double flat = 4; // squared: noise has 9 in balls of six times its size, disks that bend far 5, tubes 1
+  const numeric::Eigen_3<double> axes = principal_axes(cloud, near, i, radius);
+  const Local_frame frame{cloud.points[i], basis_around(axes.vectors[2])};
   Residual_variances result;
+  result.look_flat = axes.values[1] > flat * axes.values[2];
   result.neighbors = double(near.size());
   result.heights = residual_variance(positions, near, frame, radius, false);
   if (!cloud.has_normals()) return result;
@@ -69,6 +73,7 @@ struct Residuals_of_balls
 {
   Estimated_variance heights, slopes;
   bool are_determined; ///< whether degree 4 is, at half of the places that have the neighbors
+  bool look_flat;      ///< see Residual_variances, at half of these
 };
 
 /// At about so many places noise is estimated.
@@ -102,7 +107,7 @@ Residuals_of_balls residuals_of_balls(const Cloud& cloud, const Within& within, 
 {
   std::vector<double> heights, slopes;
   double neighbors = 0;
-  std::size_t with_neighbors = 0;
+  std::size_t with_neighbors = 0, flat = 0;
   Indices near;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Residual_variances v = residual_variances(cloud, within, places[k], radii[k], near);
@@ -110,9 +115,11 @@ Residuals_of_balls residuals_of_balls(const Cloud& cloud, const Within& within, 
     if (v.slopes >= 0) slopes.push_back(v.slopes);
     neighbors += v.neighbors;
     if (v.neighbors > 0) ++with_neighbors;
+    if (v.look_flat) ++flat;
   }
   const double shared = neighbors / double(cloud.size);
-  return {median_variance(heights, shared), median_variance(slopes, shared), 2 * heights.size() >= with_neighbors};
+  return {median_variance(heights, shared), median_variance(slopes, shared), 2 * heights.size() >= with_neighbors,
+          2 * flat >= with_neighbors};
 }
 
 /// \throw Invalid_input if there are fewer than least_neighbors
@@ -201,7 +208,8 @@ Density density(const Cloud& cloud, const Within& within, const Indices& places)
 }
 
 /// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as large as the noise found
-/// in them. Errors are by chance, and by what other balls say.
+/// in them. Errors are by chance, and by what other balls say; as large as the noise where points do not look like
+/// those of a surface, as around a tube that is thin for them.
 template <class Within>
 Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& places, const Density& density)
 {
@@ -220,6 +228,7 @@ Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& pl
   };
   Noise noise;
   set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
+  if (!v.look_flat) noise.position_error = std::max(noise.position_error, noise.position);
   set_noise(v.slopes, bias(least.slopes, v.slopes, larger.slopes), noise.normal, noise.normal_error);
   return noise;
 }
