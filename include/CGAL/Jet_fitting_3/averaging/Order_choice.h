@@ -148,8 +148,8 @@ private:
     }
   }
 
-  // What the places around one say of a target in principal axes of which this is the first.
-  Bias_model model(const Whereabouts& center, const Near& near, std::size_t target, const Vector_3<double>& axis) const
+  // What the places around one, within a radius, say of a target in principal axes of which this is the first.
+  Bias_model model(const Near& near, double radius, std::size_t target, const Vector_3<double>& axis) const
   {
     const std::size_t count = std::min(patch, near.size());
     std::vector<const Comparisons*> members;
@@ -159,7 +159,7 @@ private:
       members.push_back(&place.comparisons[target == all() || !is_reversed(place, axis) ? target : m_order - target]);
       size += place.size / double(count);
     }
-    const Comparisons means = patch_means(members, m_grid, patch_radius(m_points, center, near), m_targets[target]);
+    const Comparisons means = patch_means(members, m_grid, radius, m_targets[target]);
     return bias_model(means, m_grid, m_order, size / size_of_unit_terms(m_order));
   }
 
@@ -169,10 +169,11 @@ private:
   {
     const Whereabouts center = m_fits.place(i);
     const Near near = nearest_places(m_points, center, patch + 1);
-    const Bias_model of_all = model(center, near, all(), axis);
+    const double radius = patch_radius(m_points, center, near);
+    const Bias_model of_all = model(near, radius, all(), axis);
     Choices choices;
     for (std::size_t j = 0; j < all(); ++j)
-      choices.push_back(choose_with_own_say(candidates, own[j], model(center, near, j, axis), &of_all, m_grid,
+      choices.push_back(choose_with_own_say(candidates, own[j], model(near, radius, j, axis), &of_all, m_grid,
                                             m_targets[j], m_fits.square_of_noise(i)));
     return choices;
   }

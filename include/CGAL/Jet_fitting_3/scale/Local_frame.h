@@ -199,12 +199,6 @@ inline numeric::Eigen_3<double> principal_axes(const Cloud& cloud, const Indices
   return numeric::symmetric_eigen_3(s);
 }
 
-/// The direction in which the points of a ball spread least.
-inline Vector_3<double> thin_direction(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
-{
-  return principal_axes(cloud, near, i, radius).vectors[2];
-}
-
 /// From positions: principal component analysis, then degree 2 twice, the origin moving to its foot point on the fitted
 /// surface, five times the noise at most.
 inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, std::size_t i, double radius,
@@ -213,7 +207,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
   const Vector_3<double> p = cloud.points[i];
   Local_frame frame{p, {}};
   const Indices nearest = inside(cloud, near, frame, radius + 5 * noise.position);
-  frame.axes = basis_around(unit_vector(thin_direction(cloud, nearest, i, radius)));
+  frame.axes = basis_around(unit_vector(principal_axes(cloud, nearest, i, radius).vectors[2]));
   for (int round = 0; round < 2; ++round) {
     const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
     if (!fit.determines(2)) return frame;

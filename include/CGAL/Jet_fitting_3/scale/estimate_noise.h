@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
