@@ -2,9 +2,9 @@
 # Runs the tests on other versions of CGAL and Eigen, other compilers and options, and prints a table.
 # usage: test_matrix.sh [all|spread|subset|processors|<part of the name of rows>]
 # "all", the default, takes hours. "spread" runs every test once with each CGAL: a row has its share of the tests, and all
-# that need libraries which other rows do without. "subset" is what the continuous integration has time for: two rows, a
-# few tests, and the other processors. "processors" are those alone (scripts/other_processors.sh). sid-clang++, say,
-# takes the rows whose names, which are their settings joined by "-", contain this.
+# that need libraries which other rows do without. "subset" is what the continuous integration has time for: two rows and a
+# few tests. "processors" are the other processors alone (scripts/other_processors.sh), which "all" also takes.
+# sid-clang++, say, takes the rows whose names, which are their settings joined by "-", contain this.
 # CGAL 5.5 is the one of this system; those of Debian's trixie and sid are unpacked into the build folder, once.
 # Exits with 77 if every row had to be left out.
 # shellcheck source=scripts/lib.sh
@@ -72,7 +72,7 @@ run_row() {
   [ "$assertions" = on ] || flags="$flags -DNDEBUG"
   disable=OFF
   [ "$optional" = all ] || disable=ON
-  excluded='source_hygiene.*|docs_.*|install_consumer|matrix_subset'
+  excluded='source_hygiene.*|docs_.*|install_consumer'
   [ "$programs" = yes ] || excluded="$excluded|cgal_programs"
   start=$(date +%s)
   # shellcheck disable=SC2086
@@ -128,13 +128,13 @@ wanted=${1:-all}
 targets=
 tests=.
 if [ "$wanted" = subset ]; then
-  targets='test_drop_in_interface test_kernels_and_traits test_mesh_door test_packs test_mesh_estimation_tool Mesh_estimation'
-  tests='^(drop_in_interface|kernels_and_traits|mesh_door|packs|mesh_estimation_tool)$'
+  targets='test_drop_in_interface test_kernels_and_traits test_packs test_mesh_estimation_tool Mesh_estimation'
+  tests='^(drop_in_interface|kernels_and_traits|packs|mesh_estimation_tool)$'
 fi
 failed=0
 done=0
 case $wanted in
-  all | subset | processors)
+  all | processors)
     say "other processors"
     start=$(date +%s)
     if BUILD_DIR=$build sh "$root/scripts/other_processors.sh" > "$matrix/processors.log" 2>&1; then

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Meshes with a vertex far away, with components of very different sizes, with coordinates near the end of the range of
-// numbers; with a vertex of very many edges. What is far has no say, bit by bit; time grows with what is visited.
+// numbers. What is far has no say, bit by bit; of large neighborhoods few are kept.
 
 #include "check.h"
 #include "double_mesh.h"
@@ -14,10 +14,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -149,55 +146,6 @@ void first_vertex_nan()
   check("within_radius", within_radius(0.8));
 }
 
-// A cone of so many faces.
-Mesh fan(std::size_t spokes)
-{
-  Mesh mesh;
-  const Vertex hub = mesh.add_vertex(Kernel::Point_3(0, 0, 0.5));
-  for (std::size_t i = 0; i < spokes; ++i) {
-    const double turn = 2 * std::acos(-1.) * double(i) / double(spokes);
-    mesh.add_vertex(Kernel::Point_3(std::cos(turn), std::sin(turn), 0.1 * std::sin(3 * turn)));
-  }
-  const auto rim = [&](std::size_t i) { return Vertex(Mesh::size_type(1 + i % spokes)); };
-  for (std::size_t i = 0; i < spokes; ++i) mesh.add_face(hub, rim(i), rim(i + 1));
-  return mesh;
-}
-
-template <class Call>
-double seconds(const Call& call)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-// Eight times the spokes take eight times as long, not sixty-four times.
-void hubs()
-{
-  const auto check = [](const std::string& what, const auto& estimate) {
-    const Mesh few = fan(12500), many = fan(100000);
-    double short_time = 1e9, long_time = 1e9;
-    for (int time = 0; time < 3; ++time) {
-      short_time = (std::min)(short_time, seconds([&] { estimate(few); }));
-      long_time = (std::min)(long_time, seconds([&] { estimate(many); }));
-    }
-    check_le(long_time, 24 * short_time, what + ": time for 100000 spokes beside that for 12500");
-  };
-  check("nearest", [](const Mesh& mesh) {
-    std::vector<Form> forms(mesh.number_of_vertices());
-    CGAL::estimate_vertex_monge_forms(mesh, nearest(12), CGAL::make_property_map(forms));
-  });
-  check("one constrained edge", [](const Mesh& mesh) {
-    std::vector<Form> forms(mesh.number_of_vertices());
-    std::vector<bool> is_sharp(mesh.number_of_edges(), false);
-    is_sharp[edge(mesh.halfedge(Vertex(0)), mesh)] = true;
-    const auto is_constrained =
-        boost::make_function_property_map<Mesh::Edge_index>([&](Mesh::Edge_index e) { return bool(is_sharp[e]); });
-    CGAL::estimate_vertex_monge_forms(mesh, nearest(4), CGAL::make_property_map(forms),
-                                      CGAL::parameters::edge_is_constrained_map(is_constrained).degree_fitting(1));
-  });
-}
-
 // Neighborhoods of all vertices: how many are gathered before the first forms are written. Each holds four bytes a
 // vertex.
 void large_neighborhoods()
@@ -224,6 +172,5 @@ int main()
   components();
   sizes();
   first_vertex_nan();
-  hubs();
   return result();
 }
