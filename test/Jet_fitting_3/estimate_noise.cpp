@@ -296,7 +296,8 @@ void thin_tubes()
     }
     return noise_of_positions(points);
   };
-  for (const auto& [radius, n] : {std::pair(0.1, 1000), std::pair(0.1, 1500), std::pair(0.3, 600)}) {
+  for (const auto& [radius, n] :
+       {std::pair(0.1, 1000), std::pair(0.1, 1500), std::pair(0.3, 600), std::pair(1., 100), std::pair(1., 200)}) {
     const Noise noise = noise_of_tube(radius, std::size_t(n));
     check_ge(noise.position_error, noise.position, "error of the noise of a thin tube");
   }

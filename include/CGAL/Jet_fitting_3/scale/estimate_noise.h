@@ -75,6 +75,7 @@ struct Residuals_of_balls
   Estimated_variance heights, slopes;
   bool are_determined; ///< whether degree 4 is, at half of the places that have the neighbors
   bool look_flat;      ///< see Residual_variances, at half of these
+  double part;         ///< of all points, that a ball holds, in the mean
 };
 
 /// At about so many places noise is estimated.
@@ -120,7 +121,7 @@ Residuals_of_balls residuals_of_balls(const Cloud& cloud, const Within& within, 
   }
   const double shared = neighbors / double(cloud.size);
   return {median_variance(heights, shared), median_variance(slopes, shared), 2 * heights.size() >= with_neighbors,
-          2 * flat >= with_neighbors};
+          2 * flat >= with_neighbors, shared / std::max(1., double(with_neighbors))};
 }
 
 /// \throw Invalid_input if there are fewer than least_neighbors
@@ -210,7 +211,8 @@ Density density(const Cloud& cloud, const Within& within, const Indices& places)
 
 /// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as large as the noise found
 /// in them. Errors are by chance, and by what other balls say; as large as the noise where points do not look like
-/// those of a surface, as around a tube that is thin for them.
+/// those of a surface, as around a tube that is thin for them, and where balls are so enlarged that one holds half of
+/// all.
 template <class Within>
 Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& places, const Density& density)
 {
@@ -218,7 +220,8 @@ Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& pl
     return residuals_of_balls(cloud, within, places, radii_at(density, factor, enlarged));
   };
   const double radius = density.across_lines * density.radius;
-  double factor = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  const double least_factor = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  double factor = least_factor;
   const Residuals_of_balls least = at(factor);
   Residuals_of_balls v = least;
   for (int step = 0; step < 60 && radius * factor < 6 * std::sqrt(v.heights.value); ++step)
@@ -229,7 +232,8 @@ Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& pl
   };
   Noise noise;
   set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
-  if (!v.look_flat) noise.position_error = std::max(noise.position_error, noise.position);
+  const bool is_overall = factor > least_factor && v.part > 0.5;
+  if (is_overall || !v.look_flat) noise.position_error = std::max(noise.position_error, noise.position);
   set_noise(v.slopes, bias(least.slopes, v.slopes, larger.slopes), noise.normal, noise.normal_error);
   return noise;
 }
