@@ -211,10 +211,38 @@ void uneven_density()
   check_le(error, 0.1, "uneven density: error of curvatures of size 1");
 }
 
+// The largest balls hold all points: nothing tells their bias.
+void few_points()
+{
+  for (const std::size_t n : {200u, 300u}) {
+    Intervals found;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> uniform(-1.6, 1.6);
+      std::normal_distribution<double> noise(0, 0.05);
+      std::vector<Kernel::Point_3> points;
+      std::vector<Place> truth;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double x = uniform(random), y = uniform(random);
+        truth.push_back(on_wave(x, y));
+        points.push_back(truth[i].point + Vector(noise(random), noise(random), noise(random)));
+      }
+      std::vector<Form> forms;
+      const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
+      for (std::size_t i = 0; i < n; ++i) found.add(forms[i], truth[i], summary.quality(i).scale);
+    }
+    std::cout << n << " points: k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
+              << std::endl;
+    for (const int count : {found.held1, found.held2})
+      check_ge(double(count) / found.count, 0.9, text(n) + " points: part of the intervals that holds the truth");
+  }
+}
+
 } // namespace
 
 int main()
 {
+  few_points();
   more_points();
   uneven_density();
   int cases = 0, good = 0;

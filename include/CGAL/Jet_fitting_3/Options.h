@@ -82,7 +82,8 @@ struct Fit_options
 struct Options : Fit_options
 {
   /// Where the points are too few or do not determine a jet of the degree that was asked for, take the largest degree
-  /// for which they do, and a Monge form of that degree at most; otherwise such a vertex or point is skipped.
+  /// for which they do, and a Monge form of that degree at most; otherwise such a vertex or point is skipped. Of no
+  /// effect with automatic(), which chooses the degree anyway.
   bool lower_degree = false;
 
   /// The normals of `vertex_normal_map` or `normal_map` are data, and not only orient the forms: jets are fitted to

@@ -286,7 +286,9 @@ inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bou
       if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
     }
     result[j].seen = std::max(bounds[j].least, bounds[j].seen);
-    value = std::max(bounds[j].least, value < unknown ? value : 0);
+    // of balls that hold all points nothing is known
+    const bool is_known = value < unknown || bounds[j].least == 0;
+    value = is_known ? std::max(bounds[j].least, value) : bounds[j].least;
     result[j].most = value;
     for (std::size_t l = j; l < bounds.size(); ++l)
       result[j].evidence = std::max(result[j].evidence, bounds[l].evidence);
