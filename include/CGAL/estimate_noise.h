@@ -96,8 +96,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///        have any length; those that are zero or not finite are left out
 /// \return standard deviations, in the unit of the coordinates and in radians, with errors; those in the middle where
 ///         they differ over the surface. Where the surface is not smooth on the scale of a few edges, or of 45 points,
-///         what cannot be told from noise counts as noise, and the error says so, but for meshes where three rings go
-///         around a tube. Noise that is alike over four edges and more counts as surface
+///         what cannot be told from noise counts as noise, and the error says so. Noise that is alike over four edges
+///         and more counts as surface
 /// \throw Jet_fitting::Invalid_input if there are too few points, or too many of them coincide
 template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,
           class NamedParameters = parameters::Default_named_parameters>

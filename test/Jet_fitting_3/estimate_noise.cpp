@@ -303,6 +303,17 @@ void thin_tubes()
   }
 }
 
+// Three rings around a vertex of these meshes go around the tube.
+void tubes_of_few_vertices()
+{
+  for (const auto& [radius, around] : {std::pair(0.3, 5), std::pair(0.3, 6), std::pair(0.3, 8), std::pair(1., 8)}) {
+    Mesh mesh;
+    build(torus(2, radius, radius < 1 ? 60 : 16, std::size_t(around)), mesh);
+    const Noise noise = CGAL::estimate_noise(mesh);
+    check_ge(noise.position_error, noise.position, "error of the noise of a tube with " + text(around) + " vertices");
+  }
+}
+
 void too_few()
 {
   const std::vector<Oriented> points = Noisy_points(surfaces()[0], 44, 0.01, 0, 1).points;
@@ -323,6 +334,7 @@ int main()
   in_summaries();
   units_and_threads();
   thin_tubes();
+  tubes_of_few_vertices();
   too_few();
   return result();
 }

@@ -167,6 +167,7 @@ struct Residuals_at_place
   Whereabouts where;
   std::array<std::array<double, rings>, 2> variances;
   std::array<std::size_t, rings> counts;
+  bool turns = false; ///< too far, in the fewest rings
 };
 
 /// A standard deviation, and its standard error.
@@ -256,6 +257,7 @@ std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbo
   const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
     Place place{whereabouts_anywhere(surface, i), {}, {}};
     for (auto& of_degree : place.variances) of_degree.fill(std::numeric_limits<double>::infinity());
+    place.turns = turns_too_far(surface, frame, found, ends[first_ring]);
     for (std::size_t k = 0; k < rings; ++k) {
       place.counts[k] = ends[first_ring + k];
       if (k < Place::least_rings)
@@ -309,7 +311,8 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
   return result;
 }
 
-/// Infinite if there are too few vertices.
+/// Infinite if there are too few vertices. The error is as large as the noise where half of the fits are to places that
+/// turn too far, as those that go around a tube.
 template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {
@@ -329,6 +332,9 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
     of_all =
         noise_at_places(residuals_at_places(surface, first_ring, {2, 3}, Residuals_at_place::least_rings, variance),
                         size, first_ring);
+  const auto turning =
+      std::count_if(places.begin(), places.end(), [](const Residuals_at_place& place) { return place.turns; });
+  if (2 * std::size_t(turning) > places.size()) of_all.error = std::max(of_all.error, of_all.value);
   Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
   if (!is_told || !(of_all.value > 0)) return result;
   const std::vector<double> around = noise_around_places(places, size, first_ring, of_all);
