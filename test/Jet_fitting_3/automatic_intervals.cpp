@@ -146,17 +146,20 @@ Intervals intervals(const Surface& surface, double noise, bool with_normals, std
   return result;
 }
 
+void check_held(const Intervals& found, double least, const std::string& name)
+{
+  std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
+            << std::endl;
+  for (const int count : {found.held1, found.held2})
+    check_ge(double(count) / found.count, least, name + ": part of the intervals that holds the truth");
+}
+
 // With many points balls may grow until they show the bias, which noise hides in smaller ones.
 void more_points()
 {
   for (const Surface& surface : surfaces()) {
     if (surface.name != "barrel" && surface.name != "trough") continue;
-    const Intervals found = intervals(surface, 0.01, false, 20000, 3);
-    const std::string name = surface.name + ", 20000 points";
-    std::cout << name << ": k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
-              << std::endl;
-    for (const int count : {found.held1, found.held2})
-      check_ge(double(count) / found.count, 0.8, name + ": part of the intervals that holds the truth");
+    check_held(intervals(surface, 0.01, false, 20000, 3), 0.8, surface.name + ", 20000 points");
   }
 }
 
@@ -204,10 +207,8 @@ void uneven_density()
     }
   }
   const double error = std::sqrt(squares / (2 * found.count));
-  std::cout << "uneven density: k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
-            << " error " << error << " of " << found.count << std::endl;
-  for (const int count : {found.held1, found.held2})
-    check_ge(double(count) / found.count, 0.9, "uneven density: part of the intervals that holds the truth");
+  check_held(found, 0.9, "uneven density");
+  std::cout << "uneven density: error " << error << " of " << found.count << std::endl;
   check_le(error, 0.1, "uneven density: error of curvatures of size 1");
 }
 
@@ -231,10 +232,7 @@ void few_points()
       const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
       for (std::size_t i = 0; i < n; ++i) found.add(forms[i], truth[i], summary.quality(i).scale);
     }
-    std::cout << n << " points: k1 " << double(found.held1) / found.count << " k2 " << double(found.held2) / found.count
-              << std::endl;
-    for (const int count : {found.held1, found.held2})
-      check_ge(double(count) / found.count, 0.9, text(n) + " points: part of the intervals that holds the truth");
+    check_held(found, 0.9, text(n) + " points");
   }
 }
 

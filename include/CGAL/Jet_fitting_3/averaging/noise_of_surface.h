@@ -311,8 +311,8 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
   return result;
 }
 
-/// Infinite if there are too few vertices. The error is as large as the noise where half of the fits are to places that
-/// turn too far, as those that go around a tube.
+/// Infinite if there are too few vertices. The error is as large as the noise where at more than half of the places the
+/// fewest rings turn too far, as those around a tube.
 template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {

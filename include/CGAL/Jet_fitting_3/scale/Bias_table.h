@@ -41,7 +41,8 @@ constexpr double flat_risk = 4;         ///< by how much heights have to be bett
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// An estimated square of a bias. There are always estimates, also where no bias shows.
+/// An estimated square of a bias, also where no bias shows; unknown where nothing tells it, as of balls that hold all
+/// points.
 struct Squared_bias
 {
   double value = unknown;
@@ -285,10 +286,10 @@ inline std::vector<Squared_bias> pooled_bias(const std::vector<Bias_bounds>& bou
       value = std::min(value, std::pow(radii[j] / radii[l], exponent) * bounds[l].likely);
       if (bounds[l].least > 0) break; // proved: the next ones know no better, and may be as large as what they are on
     }
-    result[j].seen = std::max(bounds[j].least, bounds[j].seen);
-    // of balls that hold all points nothing is known
-    const bool is_known = value < unknown || bounds[j].least == 0;
-    value = is_known ? std::max(bounds[j].least, value) : bounds[j].least;
+    const double least = bounds[j].least;
+    result[j].seen = std::max(least, bounds[j].seen);
+    if (value < unknown) value = std::max(value, least);
+    else if (least > 0) value = least;
     result[j].most = value;
     for (std::size_t l = j; l < bounds.size(); ++l)
       result[j].evidence = std::max(result[j].evidence, bounds[l].evidence);
