@@ -18,6 +18,8 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -487,6 +489,30 @@ void three_rows_in_a_disk()
   }
 }
 
+// Three rings go around them: potentials follow where heights do not, and what heights leave is no noise that would
+// have normals averaged all around.
+void tubes_of_few_vertices()
+{
+  const std::array<std::pair<double, Analytic_mesh>, 6> tubes{{{0.3, torus(2, 0.3, 60, 5)},
+                                                               {0.3, torus(2, 0.3, 60, 6)},
+                                                               {0.3, torus(2, 0.3, 60, 8)},
+                                                               {1, torus(2, 1, 18, 6)},
+                                                               {1, torus(2, 1, 16, 8)},
+                                                               {1, sphere(1, 2)}}};
+  for (const auto& [radius, tube] : tubes)
+    for (const double noise : {0., 0.05}) {
+      const std::string name =
+          "tube of " + text(tube.points.size()) + " vertices, radius " + text(radius) + ", noise " + text(noise);
+      Noisy_mesh mesh(tube, noise * mean_edge(tube));
+      mesh.estimate(jets::k_rings(1), 2);
+      const double fixed = mesh.rms_error();
+      const auto summary = mesh.estimate(jets::automatic(), 6);
+      check_equal(summary.estimated, mesh.mesh.number_of_vertices(), name + ": all vertices are estimated");
+      check_le(mesh.rms_error(), 0.5 / radius, name + " beside its curvature");
+      if (noise > 0) check_le(mesh.rms_error(), fixed, name + " beside degree 2 and one ring");
+    }
+}
+
 // A cylinder of radius 1 whose edges along it are so many times as long as those around it.
 Analytic_mesh cylinder_of_long_triangles(std::size_t around, std::size_t rows, double ratio)
 {
@@ -773,6 +799,7 @@ int main()
   degrees();
   coarse_mesh();
   three_rows_in_a_disk();
+  tubes_of_few_vertices();
   long_triangles();
   third_order_of_long_triangles();
   sharp_tips();

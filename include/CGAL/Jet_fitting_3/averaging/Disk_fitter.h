@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_AVERAGING_DISK_FITTER_H
 
 #include <CGAL/Jet_fitting_3/averaging/Bias_model.h>
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/Walker.h>
 #include <CGAL/Jet_fitting_3/averaging/candidate_of_moments.h>
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
@@ -80,21 +81,6 @@ private:
   std::vector<std::size_t> m_degrees;
 };
 
-/// What is fitted over the tangent plane. The potential z (1 + n_z) / 2, with the unit normal n, has the surface's
-/// derivatives of orders 2 and 3 at the origin; on spheres and cylinders it is exactly quadratic where z is not, and
-/// noise of a point moves it by about as much wherever the surface slopes. Errors of the normals move it, too.
-enum class Height
-{
-  z,
-  potential
-};
-
-/// What the third derivative of the potential along a principal direction errs by if all normals are tilted alike: at a
-/// distance r along that direction they change the potential by k^2 r^3 tilt / 4.
-/// \param k the curvature in that direction
-/// \param tilt of the normals, an angle
-inline double third_derivative_by_tilt(double k, double tilt) { return 1.5 * k * k * tilt; }
-
 /// Slopes of samples, and where these are, by shells.
 struct Samples_with_slopes
 {
@@ -152,7 +138,7 @@ public:
     const Samples_with_slopes with_slopes = m_surface.given ? slopes_of(disk, frame) : Samples_with_slopes();
     if (m_height == Height::potential)
       for (std::size_t k = 0; k < disk.places.size(); ++k)
-        disk.places[k].z *= (1 + dot(m_surface.normals[disk.vertices[k]], frame.axes.z)) / 2;
+        disk.places[k].z *= potential_over_z(m_surface.normals[disk.vertices[k]], frame.axes.z);
     Moments moments;
     if (m_surface.given) {
       moments.slope_weight = m_surface.given->weights[i];

@@ -34,6 +34,7 @@ class Second_order_choice
 {
   static constexpr double unlikely = 4, far = 16; // squares, in standard deviations
   static constexpr double steep = 0.1;            // square of a slope
+  static constexpr double nothing_known = 1;      // square of an error: as large as the curvature of an edge's radius
 
 public:
   using Surface = Surface_points<Neighbors>;
@@ -90,7 +91,11 @@ public:
       candidates[0] = own_candidates(walker, i, result.frame, 0, place);
       in_disks = m_fits.choose(m_learned.models[place.model].of_all, candidates[0], i, 0, together, nullptr);
     }
-    if (!in_disks.exists()) return estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i));
+    const double unit = surface.units[i];
+    if (!in_disks.exists() || in_disks.risk() > nothing_known) {
+      const Second_order_estimate of_rings = estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i));
+      if (!in_disks.exists() || (of_rings.exists && unit * unit * of_rings.risk() < in_disks.risk())) return of_rings;
+    }
     const bool is_unlike =
         !is_at_border(surface, i) && contradict(place, selected, mean(candidates[0], in_disks), in_disks, i);
     if (is_unlike) {
@@ -103,7 +108,6 @@ public:
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
     q = turn(q, cosine, sine);
     set_slopes(result, place, candidates[0], cosine, sine);
-    const double unit = surface.units[i];
     set_errors(result, candidates[0], is_unlike ? unlimited : m_learned.most_squared_bias(place) * unit * unit);
     const double beside = height(candidates[0], in_disks, i);
     if (!is_unlike && (q[0] - q[2]) * (q[0] - q[2]) > 2 * in_disks.risk()) {

@@ -69,6 +69,8 @@ struct Second_order_estimate
   double variance() const { return variances[0] + variances[1] + variances[2]; }
   /// Likewise.
   double squared_bias() const { return squared_biases[0] + squared_biases[1] + squared_biases[2]; }
+  /// Likewise.
+  double risk() const { return variance() + squared_bias(); }
 };
 
 /// Cosine and sine of the turn to principal axes of (z_xx, sqrt(2) z_xy, z_yy), the larger one in size first.
@@ -179,22 +181,19 @@ inline void set_derivatives(Second_order_estimate& e, std::array<double, 3> q, d
 /// Degree 2, fitted to the first so many of the vertices, per unit.
 template <class Neighbors>
 Candidate quadric_of(const Surface_points<Neighbors>& surface, const Local_frame& frame,
-                     const std::vector<std::size_t>& vertices, std::size_t count, double unit)
+                     const std::vector<std::size_t>& vertices, std::size_t count, double unit, Height height)
 {
-  std::vector<Vector_3<double>> places;
+  const std::vector<Vector_3<double>> places = places_over(surface, frame, vertices, count, unit, height);
   double square = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    places.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
-    square = std::max(square, places.back().x * places.back().x + places.back().y * places.back().y);
-  }
+  for (const Vector_3<double>& q : places) square = std::max(square, q.x * q.x + q.y * q.y);
   Moments moments;
   moments.add<2>(places.data(), places.size());
   return candidate(moments, 2, 0, std::sqrt(square), 2, false);
 }
 
-/// Where disks hold too few vertices, since the surface turns too soon: degree 2, fitted to the first rings that have
-/// enough. What it leaves counts as noise if that is more, and how far a fit to one more ring differs as bias, or the
-/// whole value where there is none.
+/// Where disks hold too few vertices, since the surface turns too soon, or tell nothing: degree 2, fitted to the first
+/// rings that have enough. What it leaves counts as noise if that is more, and how far a fit to one more ring differs
+/// as bias, or the whole value where there is none.
 template <class Neighbors>
 Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker,
                                         std::size_t i, double square_of_noise)
@@ -205,9 +204,10 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   const double unit = surface.units[i];
   std::vector<std::size_t> found, ends;
   const std::size_t rings = walker.first_rings(i, 2, enough, found, ends);
-  const double left = residual_variance(surface, result.frame, found, ends[rings], 2, unit);
-  const Candidate fit = quadric_of(surface, result.frame, found, ends[rings], unit),
-                  larger = quadric_of(surface, result.frame, found, ends[rings + 1], unit);
+  const Height height = height_over(surface, result.frame.axes.z, found, ends[rings]);
+  const double left = residual_variance(surface, result.frame, found, ends[rings], 2, unit, height);
+  const auto fit_to = [&](std::size_t count) { return quadric_of(surface, result.frame, found, count, unit, height); };
+  const Candidate fit = fit_to(ends[rings]), larger = fit_to(ends[rings + 1]);
   if (!fit || !std::isfinite(left)) return result;
   std::array<double, 3> q{fit.values[0], fit.values[1], fit.values[2]};
   result.variances.fill(std::max(square_of_noise, left) * fit.variance / 3);

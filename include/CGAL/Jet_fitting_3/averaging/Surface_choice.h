@@ -52,20 +52,22 @@ public:
     const auto choice = [&](Height height, const Candidate_grid& grid, const std::vector<std::size_t>& places) {
       return Choice_of_height(surface, squares_of_noise, grid, height, places, for_each);
     };
+    std::vector<Height> heights{Height::potential};
+    if (!turns_at_most(surface, vertices)) heights.push_back(Height::z);
     Candidate_grid grid = widest_grid(highest, surface.given && surface.given->suffice_in_one_ring);
     std::vector<std::size_t> some;
     for (std::size_t k = 0; k < vertices.size(); k += 8) some.push_back(vertices[k]);
     std::size_t shells = 0;
-    for (const Height height : {Height::z, Height::potential})
-      shells = std::max(shells, choice(height, grid, some).shells_in_use() + 2);
+    for (const Height height : heights) shells = std::max(shells, choice(height, grid, some).shells_in_use() + 2);
     if (shells < grid.radii.size()) {
       grid.radii.resize(shells);
       grid = candidate_grid(std::move(grid.radii), std::move(grid.degrees));
     }
     std::vector<Choice_of_height> choices;
-    for (const Height height : {Height::z, Height::potential}) choices.push_back(choice(height, grid, vertices));
-    m_height = is_better(choices[1], choices[0], vertices.size()) ? Height::potential : Height::z;
-    m_choices.push_back(std::move(choices[std::size_t(m_height)]));
+    for (const Height height : heights) choices.push_back(choice(height, grid, vertices));
+    const bool has_potential = choices.size() == 1 || is_better(choices[0], choices[1], vertices.size());
+    m_height = has_potential ? Height::potential : Height::z;
+    m_choices.push_back(std::move(has_potential ? choices.front() : choices.back()));
     m_choices.back().learn_components(for_each);
   }
 
@@ -88,6 +90,19 @@ public:
   }
 
 private:
+  // Whether three rings turn too far for z around most of the vertices, as those of a tube.
+  static bool turns_at_most(const Surface& surface, const std::vector<std::size_t>& vertices)
+  {
+    Walker<Neighbors> walker(surface);
+    std::vector<std::size_t> found, ends;
+    const auto turning = std::count_if(vertices.begin(), vertices.end(), [&](std::size_t i) {
+      walker.rings(i, 3, found, ends);
+      const Vector_3<double> normal = tangent_frame(surface, walker, i).axes.z;
+      return turns_too_far(surface, normal, found, found.size(), least_cosine_of_heights);
+    });
+    return 2 * std::size_t(turning) > vertices.size();
+  }
+
   // Whether the first choices claim less risk in the geometric mean, by a margin, and both differ by no more than twice
   // what they claim, with twice their variances: the risk that is claimed does not know of errors of the normals, which
   // are larger than it without noise.

@@ -122,12 +122,6 @@ Basis_3<double> axes_around(const Surface_points<Neighbors>& surface, std::size_
   return round_axes(surface, i, axes_around(direction));
 }
 
-/// As far as the surface turns by 60 degrees heights over the tangent plane are polynomials of low degree.
-constexpr double least_cosine_of_heights = 0.5;
-
-/// Potentials are polynomials of low degree farther.
-constexpr double least_cosine_of_potentials = 0.3;
-
 /// Borders are known by the tangent planes.
 template <class Neighbors>
 bool is_at_border(const Surface_points<Neighbors>& surface, std::size_t i)

@@ -124,7 +124,7 @@ Size_of_noise noise_beside_slopes(const Surface_points<Neighbors>& surface,
 {
   constexpr std::size_t first_ring = 2;
   const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
-                            double unit) {
+                            double unit, Height) {
     return variance_of(fit_to_slopes(surface, normals, frame, vertices, count, degree, unit));
   };
   return noise_at_places(residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::least_rings, variance),

@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_AVERAGING_NOISE_OF_SURFACE_H
 #define CGAL_JET_FITTING_3_AVERAGING_NOISE_OF_SURFACE_H
 
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/nearest_places.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
@@ -87,16 +88,16 @@ inline scale::Polynomial_value value_at(const Coefficients& c, std::size_t degre
 }
 
 /// The mean square of what a fit leaves to the first `count` vertices, per degree of freedom, or infinity. Noise along
-/// the surface, which shows where it slopes, is taken out, and the median is made that of the variance.
+/// the surface, which shows in z where it slopes, is taken out, and the median is made that of the variance.
 template <class Neighbors>
 double residual_variance(const Surface_points<Neighbors>& surface, const Local_frame& frame,
-                         const std::vector<std::size_t>& vertices, std::size_t count, std::size_t degree, double unit)
+                         const std::vector<std::size_t>& vertices, std::size_t count, std::size_t degree, double unit,
+                         Height height)
 {
   const std::size_t unknowns = number_of_jet_coefficients(degree);
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (count < unknowns + 8) return unknown;
-  std::vector<Vector_3<double>> local;
-  for (std::size_t k = 0; k < count; ++k) local.push_back(1 / unit * frame.in(surface.points[vertices[k]]));
+  const std::vector<Vector_3<double>> local = places_over(surface, frame, vertices, count, unit, height);
   Moments moments;
   add_for_degree(degree, false, [&](auto highest, auto) { moments.add<highest>(local.data(), local.size()); });
   const Normal_matrix matrix(moments, degree), of_slopes(moments, 2);
@@ -107,7 +108,7 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
     const double rest = q.z - value_at(c, degree, q.x, q.y).height;
     const scale::Polynomial_value slope = value_at(flat, 2, q.x, q.y);
     const Vector_3<double> gradient = slope.slope_u * frame.axes.x + slope.slope_v * frame.axes.y;
-    sum += rest * rest / (1 + dot(gradient, gradient));
+    sum += height == Height::z ? rest * rest / (1 + dot(gradient, gradient)) : rest * rest;
   }
   const double freedom = double(count - unknowns);
   return scale::median_correction(freedom) * sum / freedom;
@@ -150,15 +151,6 @@ void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, c
   }
 }
 
-/// Whether one of the first vertices is where heights are no polynomials of low degree.
-template <class Neighbors>
-bool turns_too_far(const Surface_points<Neighbors>& surface, const Local_frame& frame,
-                   const std::vector<std::size_t>& vertices, std::size_t count)
-{
-  return std::any_of(vertices.begin(), vertices.begin() + std::ptrdiff_t(count),
-                     [&](std::size_t v) { return dot(surface.normals[v], frame.axes.z) < least_cosine_of_heights; });
-}
-
 /// Variances of what fits of two degrees leave at a place, by degree and ring; of the lower degree for the first
 /// least_rings only. Infinite where they are not known.
 struct Residuals_at_place
@@ -167,7 +159,7 @@ struct Residuals_at_place
   Whereabouts where;
   std::array<std::array<double, rings>, 2> variances;
   std::array<std::size_t, rings> counts;
-  bool turns = false; ///< too far, in the fewest rings
+  Height height = Height::z; ///< that is fitted, by the fewest rings
 };
 
 /// A standard deviation, and its standard error.
@@ -246,7 +238,7 @@ struct Surface_noise
 
 /// What fits of two degrees leave at places spread over the surface.
 /// \param rings how many numbers of them, Residuals_at_place::least_rings or more
-/// \param variance variance(frame, vertices, count, degree, unit) of a fit to the first so many vertices
+/// \param variance variance(frame, vertices, count, degree, unit, height) of a fit to the first so many vertices
 template <class Neighbors, class Variance>
 std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbors>& surface, std::size_t first_ring,
                                                     const std::array<std::size_t, 2>& degrees, std::size_t rings,
@@ -257,13 +249,15 @@ std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbo
   const auto visit = [&](std::size_t i, const Local_frame& frame, const auto& found, const auto& ends) {
     Place place{whereabouts_anywhere(surface, i), {}, {}};
     for (auto& of_degree : place.variances) of_degree.fill(std::numeric_limits<double>::infinity());
-    place.turns = turns_too_far(surface, frame, found, ends[first_ring]);
+    place.height = height_over(surface, frame.axes.z, found, ends[first_ring]);
+    const auto variance_of = [&](std::size_t k, std::size_t degree) {
+      return variance(frame, found, place.counts[k], degree, surface.units[i], place.height);
+    };
     for (std::size_t k = 0; k < rings; ++k) {
       place.counts[k] = ends[first_ring + k];
-      if (k < Place::least_rings)
-        place.variances[0][k] = variance(frame, found, place.counts[k], degrees[0], surface.units[i]);
-      else if (turns_too_far(surface, frame, found, place.counts[k])) break;
-      place.variances[1][k] = variance(frame, found, place.counts[k], degrees[1], surface.units[i]);
+      if (k < Place::least_rings) place.variances[0][k] = variance_of(k, degrees[0]);
+      else if (turns_too_far(surface, frame.axes.z, found, place.counts[k], least_cosine_of_heights)) break;
+      place.variances[1][k] = variance_of(k, degrees[1]);
     }
     places.push_back(place);
   };
@@ -311,8 +305,8 @@ inline std::vector<double> noise_around_places(const std::vector<Residuals_at_pl
   return result;
 }
 
-/// Infinite if there are too few vertices. The error is as large as the noise where at more than half of the places the
-/// fewest rings turn too far, as those around a tube.
+/// Infinite if there are too few vertices. The error is as large as the noise where at more than half of the places
+/// potentials are fitted: what these leave contains how the normals err.
 template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {
@@ -321,8 +315,8 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
   constexpr double alike_at_four = 2; // vertices: these have one error, whose mean is no smaller
   const std::size_t size = surface.points.size();
   const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
-                            double unit) {
-    return unit * unit * residual_variance(surface, frame, vertices, count, degree, unit);
+                            double unit, Height height) {
+    return unit * unit * residual_variance(surface, frame, vertices, count, degree, unit, height);
   };
   const std::vector<Residuals_at_place> places =
       residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::rings, variance);
@@ -332,8 +326,8 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
     of_all =
         noise_at_places(residuals_at_places(surface, first_ring, {2, 3}, Residuals_at_place::least_rings, variance),
                         size, first_ring);
-  const auto turning =
-      std::count_if(places.begin(), places.end(), [](const Residuals_at_place& place) { return place.turns; });
+  const auto turning = std::count_if(places.begin(), places.end(),
+                                     [](const Residuals_at_place& place) { return place.height == Height::potential; });
   if (2 * std::size_t(turning) > places.size()) of_all.error = std::max(of_all.error, of_all.value);
   Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
   if (!is_told || !(of_all.value > 0)) return result;

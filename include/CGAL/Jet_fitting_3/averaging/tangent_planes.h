@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_AVERAGING_TANGENT_PLANES_H
 #define CGAL_JET_FITTING_3_AVERAGING_TANGENT_PLANES_H
 
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/Moments.h>
 #include <CGAL/Jet_fitting_3/averaging/Normal_matrix.h>
 #include <CGAL/Jet_fitting_3/averaging/Walker.h>
@@ -27,18 +28,19 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The tangent plane at a vertex, by two fits of degree 2 to three rings; the origin is on the second one.
+/// The tangent plane at a vertex, by two fits of degree 2 to three rings, of that height which suits these; the origin
+/// is on the second one.
 template <class Neighbors>
 Tangent_plane tangent_plane(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker, std::size_t i)
 {
   const double unit = surface.units[i];
   std::vector<std::size_t> found, ends;
   walker.rings(i, 3, found, ends);
-  std::vector<Vector_3<double>> places(found.size());
+  const Height height = height_over(surface, surface.normals[i], found, found.size());
   Local_frame frame{surface.points[i], axes_around(surface, i, surface.normals[i])};
   double off_center = 0, bend = 0;
   for (int round = 0; round < 2; ++round) {
-    for (std::size_t k = 0; k < found.size(); ++k) places[k] = 1 / unit * frame.in(surface.points[found[k]]);
+    const std::vector<Vector_3<double>> places = places_over(surface, frame, found, found.size(), unit, height);
     Moments moments;
     moments.add<2>(places.data(), places.size());
     const Normal_matrix matrix(moments, 2);
@@ -62,7 +64,7 @@ struct Finer_plane
 /// To as few rings as determine the slopes about as well as whole disks do: three, and at borders, where these may hold
 /// too few rows of vertices, up to six.
 /// \param coarse the plane by degree 2
-/// \return none where they do not suffice
+/// \return none where they do not suffice, or turn too far
 template <class Neighbors>
 std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker,
                                        std::size_t i, const Tangent_plane& coarse, double square_of_noise)
@@ -77,6 +79,7 @@ std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface,
   std::vector<Vector_3<double>> places;
   for (const std::size_t rings : {3, 4, 5, 6}) {
     if (rings > 3) walker.add_ring(i, found, ends);
+    if (turns_too_far(surface, coarse.normal, found, ends[rings], least_cosine_of_potentials)) break;
     for (std::size_t k = places.size(); k < ends[rings]; ++k)
       places.push_back(1 / unit * frame.in(surface.points[found[k]]));
     if (places.size() < least) continue;

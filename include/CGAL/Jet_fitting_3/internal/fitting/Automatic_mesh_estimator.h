@@ -186,9 +186,17 @@ private:
                                                  const Options& options, const For_each& for_each)
   {
     if (!normals.given.empty()) m_noise.of_all.normal = std::numeric_limits<double>::infinity();
-    m_surface.take_tangent_planes(m_squares_of_noise, for_each);
+    take_tangent_planes(for_each);
     if (normals.are_data()) take_normals(tables, normals, options, for_each);
     return m_surface.surface();
+  }
+
+  template <class For_each>
+  void take_tangent_planes(const For_each& for_each)
+  {
+    const Noise& noise = m_noise.of_all;
+    m_surface.take_tangent_planes(m_squares_of_noise, is_told_from_shape(noise.position, noise.position_error),
+                                  for_each);
   }
 
   // As data, unless they seem to follow from the faces.
@@ -217,7 +225,7 @@ private:
       const double beside = averaging::noise_beside_normals(m_surface.surface(), sound.normals);
       const double most = averaging::variance_in_units((std::max)(beside, height_over_slope * noise.normal), 1);
       for (double& square : m_squares_of_noise) square = (std::min)(square, most);
-      m_surface.take_tangent_planes(m_squares_of_noise, for_each); // which may be finer now
+      take_tangent_planes(for_each); // which may be finer now
     }
     m_surface.take_normals(std::move(sound.normals), noise.normal, m_squares_of_noise);
   }

@@ -107,16 +107,19 @@ public:
   /// Replaces the normals by those of tangent planes, which are more exact. Noise tells how often normals are averaged,
   /// before the fits and after them.
   /// \param squares_of_noise of each point, in squares of its unit
+  /// \param is_told or the noise may be the shape: then averages may lead around a tube, so there are none before the
+  ///        fits, and few after them
   template <class For_each>
-  void take_tangent_planes(const std::vector<double>& squares_of_noise, const For_each& for_each)
+  void take_tangent_planes(const std::vector<double>& squares_of_noise, bool is_told, const For_each& for_each)
   {
     std::vector<int> rounds;
     for (const double square : squares_of_noise) rounds.push_back(averaging::rounds_of_smoothing(std::sqrt(square)));
-    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds);
+    if (is_told) m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds);
+    const double noise = is_told ? std::sqrt(scale::median(squares_of_noise)) : 0;
     m_planes = averaging::tangent_planes(m_surface, squares_of_noise, for_each);
     for (std::size_t i = 0; i < m_planes.size(); ++i) m_normals[i] = m_planes[i].normal;
-    m_normals = averaging::smoothed(m_normals, m_surface.neighbors, rounds,
-                                    averaging::least_cosine_of_smoothing(std::sqrt(scale::median(squares_of_noise))));
+    m_normals =
+        averaging::smoothed(m_normals, m_surface.neighbors, rounds, averaging::least_cosine_of_smoothing(noise));
     for (std::size_t i = 0; i < m_planes.size(); ++i) m_planes[i].normal = m_normals[i];
     m_surface.planes = &m_planes;
   }
