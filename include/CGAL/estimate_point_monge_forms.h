@@ -49,7 +49,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///        points. Written by one thread at a time
 /// \param np named parameters:
 ///        - `degree_fitting` d, the degree of the jet (2); the highest that automatic() tries (any)
-///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d; 2 with automatic() and without d)
+///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d, at most 4 with automatic(), and 2 with
+///          it and without d)
 ///        - `point_map` (the items are points)
 ///        - `normal_map`, vectors of any length (none): orients the forms, and neighborhoods keep to points whose
 ///          normals make less than 84 degrees with that of the point, so that they do not jump to another sheet

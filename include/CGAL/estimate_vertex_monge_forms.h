@@ -49,7 +49,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///        kernel of the points. Written by one thread at a time
 /// \param np named parameters:
 ///        - `degree_fitting` d, the degree of the jet (2); the highest that automatic() tries (any)
-///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d; 2 with automatic() and without d)
+///        - `degree_monge` d', the degree of the form, 1 <= d' <= d (d, at most 4 with automatic(), and 2 with
+///          it and without d)
 ///        - `vertex_point_map` (the mesh's own); another one is read by the calling thread only
 ///        - `vertex_index_map` (the mesh's own, if it has one)
 ///        - `vertex_normal_map`, vectors of any length, to orient the forms, and with Options::use_normals as data

@@ -446,6 +446,7 @@ void degrees()
   check_near(of_degree_5.derivative(0, 5), 0, 0.5, "a fifth derivative that vanishes");
   const Form quadratic = form_of(parameters::degree_fitting(2)), any = form_of(parameters::degree_monge(2));
   check_true(quadratic.principal_curvatures(0) != any.principal_curvatures(0), "degree 2 alone is something else");
+  check_equal(form_of(parameters::degree_fitting(12)).degree(), std::size_t(4), "the form's degree if fits are to 12");
 }
 
 // Where there are too few vertices to choose for the higher orders, one fit gives them.

@@ -37,18 +37,19 @@ namespace Jet_fitting {
 /// vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
-/// any. For a point set degrees go up to 4, and where noise, if it is not given, is far below what degree 4 leaves in
-/// the smallest balls, up to 8, with normals to 6. Derivatives of order 3, and without normals of order 4, have radii,
-/// degrees and weights of their own, from degrees 3 and 5, 4 and 6; higher ones come from one fit, in a ball that was
-/// chosen for a second derivative. Estimation_summary::quality() tells radius and degree, bias and standard deviation
-/// of the curvatures, infinite where nothing is known of the bias, as where noise cannot be told from the shape, and
-/// errors that contain the bias, of the curvatures and of the third order coefficients b0 and b3; but nothing of one
-/// fit, of which there are several. Nor is a status one_sided or pca_ambiguous set. Weights, robust losses and standard
-/// errors are refused, but for one: with Loss::tukey, points of a set that a robust fit of degree 2 to the 45 nearest
-/// leaves no weight, or whose normal is as far from that fit with use_normals, and vertices of a mesh that are far from
-/// the surface of their neighbors while others around are not, are outliers (Status_flag::outlier): nobody's neighbors.
-/// With use_normals points of a set that lie no farther inside a border than noise moves points are nobody's neighbors
-/// either, if their normals are seen to be turned outwards, as where the noise of normals goes with that of positions.
+/// any. `degree_monge` is at most 4 if it is not given. For a point set degrees go up to 4, and where noise, if it is
+/// not given, is far below what degree 4 leaves in the smallest balls, up to 8, with normals to 6. Derivatives of order
+/// 3, and without normals of order 4, have radii, degrees and weights of their own, from degrees 3 and 5, 4 and 6;
+/// higher ones come from one fit, in a ball that was chosen for a second derivative. Estimation_summary::quality()
+/// tells radius and degree, bias and standard deviation of the curvatures, infinite where nothing is known of the bias,
+/// as where noise cannot be told from the shape, and errors that contain the bias, of the curvatures and of the third
+/// order coefficients b0 and b3; but nothing of one fit, of which there are several. Nor is a status one_sided or
+/// pca_ambiguous set. Weights, robust losses and standard errors are refused, but for one: with Loss::tukey, points of
+/// a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or whose normal is as far from that fit with
+/// use_normals, and vertices of a mesh that are far from the surface of their neighbors while others around are not,
+/// are outliers (Status_flag::outlier): nobody's neighbors. With use_normals points of a set that lie no farther inside
+/// a border than noise moves points are nobody's neighbors either, if their normals are seen to be turned outwards, as
+/// where the noise of normals goes with that of positions.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

@@ -52,13 +52,17 @@ struct Estimation_parameters
   static constexpr bool has_degree_fitting =
       !parameters::is_default_parameter<NamedParameters, internal_np::degree_fitting_t>::value;
 
-  /// \param is_automatic whether degree_fitting is at least degree_monge if it is not given
+  /// \param is_automatic whether degree_fitting is at least degree_monge if it is not given, and degree_monge, if that
+  ///        is not given, at most 4
   explicit Estimation_parameters(const NamedParameters& np, bool is_automatic = false)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     d = degree_parameter("degree_fitting", choose_parameter(get_parameter(np, internal_np::degree_fitting), 2));
-    dprime = degree_parameter("degree_monge", choose_parameter(get_parameter(np, internal_np::degree_monge), d));
+    constexpr std::size_t highest_chosen = 4; // orders above have no choice of their own
+    const std::size_t otherwise = is_automatic ? (std::min)(d, highest_chosen) : d;
+    dprime =
+        degree_parameter("degree_monge", choose_parameter(get_parameter(np, internal_np::degree_monge), otherwise));
     if (is_automatic && !has_degree_fitting) d = (std::max)(d, dprime);
     check_degrees(d, dprime);
     progress = choose_parameter(get_parameter(np, internal_np::callback), Progress());
