@@ -93,7 +93,8 @@ public:
     }
     const double unit = surface.units[i];
     if (!in_disks.exists() || in_disks.risk() > nothing_known) {
-      const Second_order_estimate of_rings = estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i));
+      const Second_order_estimate of_rings =
+          estimate_of_rings(surface, walker, i, m_fits.square_of_noise(i), m_fits.height());
       if (!in_disks.exists() || (of_rings.exists && unit * unit * of_rings.risk() < in_disks.risk())) return of_rings;
     }
     const bool is_unlike =

@@ -196,7 +196,7 @@ Candidate quadric_of(const Surface_points<Neighbors>& surface, const Local_frame
 /// as bias, or the whole value where there is none.
 template <class Neighbors>
 Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface, Walker<Neighbors>& walker,
-                                        std::size_t i, double square_of_noise)
+                                        std::size_t i, double square_of_noise, Height height)
 {
   constexpr std::size_t enough = 14; // fewer do not tell how certain the fit is
   Second_order_estimate result;
@@ -204,7 +204,6 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   const double unit = surface.units[i];
   std::vector<std::size_t> found, ends;
   const std::size_t rings = walker.first_rings(i, 2, enough, found, ends);
-  const Height height = height_over(surface, result.frame.axes.z, found, ends[rings]);
   const double left = residual_variance(surface, result.frame, found, ends[rings], 2, unit, height);
   const auto fit_to = [&](std::size_t count) { return quadric_of(surface, result.frame, found, count, unit, height); };
   const Candidate fit = fit_to(ends[rings]), larger = fit_to(ends[rings + 1]);
