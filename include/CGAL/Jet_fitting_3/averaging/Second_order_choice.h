@@ -34,7 +34,7 @@ class Second_order_choice
 {
   static constexpr double unlikely = 4, far = 16; // squares, in standard deviations
   static constexpr double steep = 0.1;            // square of a slope
-  static constexpr double nothing_known = 1;      // square of an error: as large as the curvature of an edge's radius
+  static constexpr double nothing_known = 1;      // square of an error, per unit: a curvature whose radius is an edge
 
 public:
   using Surface = Surface_points<Neighbors>;

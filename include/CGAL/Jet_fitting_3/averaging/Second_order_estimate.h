@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/averaging/Bias_model.h>
 #include <CGAL/Jet_fitting_3/averaging/Candidate.h>
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/candidate_of_moments.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>

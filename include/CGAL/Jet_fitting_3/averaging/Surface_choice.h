@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_AVERAGING_SURFACE_CHOICE_H
 #define CGAL_JET_FITTING_3_AVERAGING_SURFACE_CHOICE_H
 
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/One_after_the_other.h>
 #include <CGAL/Jet_fitting_3/averaging/Second_order_choice.h>
 

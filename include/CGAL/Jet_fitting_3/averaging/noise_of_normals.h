@@ -7,6 +7,7 @@
 #ifndef CGAL_JET_FITTING_3_AVERAGING_NOISE_OF_NORMALS_H
 #define CGAL_JET_FITTING_3_AVERAGING_NOISE_OF_NORMALS_H
 
+#include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 
 #include <algorithm>
@@ -178,8 +179,8 @@ Deviations_of_normals deviations_of_normals(const Surface_points<Neighbors>& sur
 {
   Deviations_of_normals result;
   visit_places(surface, 3, [&](std::size_t i, const Local_frame& frame, const auto& found, const auto&) {
-    std::vector<Vector_3<double>> local;
-    for (const std::size_t v : found) local.push_back(1 / surface.units[i] * frame.in(surface.points[v]));
+    const std::vector<Vector_3<double>> local =
+        places_over(surface, frame, found, found.size(), surface.units[i], Height::z);
     Moments moments;
     moments.add<degree>(local.data(), local.size());
     const Normal_matrix matrix(moments, degree);

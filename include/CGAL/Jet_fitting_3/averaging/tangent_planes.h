@@ -76,13 +76,11 @@ std::optional<Finer_plane> finer_plane(const Surface_points<Neighbors>& surface,
   const auto variance_of_slopes = [](const Normal_matrix& m) { return m.variance(1, 0) + m.variance(1, 1); };
   std::vector<std::size_t> found, ends;
   walker.rings(i, 3, found, ends);
-  std::vector<Vector_3<double>> places;
   for (const std::size_t rings : {3, 4, 5, 6}) {
     if (rings > 3) walker.add_ring(i, found, ends);
-    if (turns_too_far(surface, coarse.normal, found, ends[rings], least_cosine_of_potentials)) break;
-    for (std::size_t k = places.size(); k < ends[rings]; ++k)
-      places.push_back(1 / unit * frame.in(surface.points[found[k]]));
-    if (places.size() < least) continue;
+    if (height_over(surface, coarse.normal, found, ends[rings]) != Height::z) break;
+    if (ends[rings] < least) continue;
+    const std::vector<Vector_3<double>> places = places_over(surface, frame, found, ends[rings], unit, Height::z);
     Moments moments;
     moments.add<4>(places.data(), places.size());
     const Normal_matrix matrix(moments, 4), lower(moments, 2);

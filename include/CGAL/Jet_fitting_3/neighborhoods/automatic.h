@@ -33,8 +33,8 @@ namespace Jet_fitting {
 /// as those of Polygon_mesh_processing::compute_vertex_normals() do, say nothing that positions do not say, and are
 /// left aside. The origin is the vertex itself. Where edges are more than three times as long in one direction as
 /// across it, the surface turns by less than .2 radians along them, and normals are no data, so are neighborhoods.
-/// Where the surface turns too soon for all radii, as at tips, one fit of degree 2 to the first rings that have 14
-/// vertices is taken, and tells large errors.
+/// Where the surface turns too soon for all radii, as at tips, or these tell nothing, as on some coarse meshes, one fit
+/// of degree 2 to the first rings that have 14 vertices is taken, and tells large errors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
 /// any. `degree_monge` is at most 4 if it is not given. For a point set degrees go up to 4, and where noise, if it is
