@@ -72,8 +72,9 @@ void responses_are_what_fits_answer()
       for (std::size_t j = 0; j <= order; ++j)
         for (std::size_t k = 0; k <= scale::highest_order; ++k)
           for (std::size_t l = 0; l <= k; ++l)
-            test::check_near(c.rows[j].responses[scale::term_index(k, l)], answer(samples, 120, degree, order, j, k, l),
-                             1e-9, "response of a fit to a term of the surface");
+            test::check_near(c.rows[j].responses[CGAL::Jet_fitting::term_index(k, l)],
+                             answer(samples, 120, degree, order, j, k, l), 1e-9,
+                             "response of a fit to a term of the surface");
     }
 }
 
@@ -198,14 +199,15 @@ void model_finds_the_variances_of_terms()
     std::vector<double> c(CGAL::Jet_fitting::number_of_jet_coefficients(8));
     for (std::size_t k = 2; k <= 8; ++k)
       for (std::size_t j = 0; j <= k; ++j)
-        c[scale::term_index(k, j)] = normal(random) * tau[k] * std::sqrt(scale::binomial(k, j));
+        c[CGAL::Jet_fitting::term_index(k, j)] = normal(random) * tau[k] * std::sqrt(scale::binomial(k, j));
     std::vector<scale::Moments> shells(grid.radii.size());
     for (int x = -10; x <= 10; ++x)
       for (int y = -10; y <= 10; ++y) {
         double z = noise * normal(random);
         for (std::size_t k = 2; k <= 8; ++k)
           for (std::size_t j = 0; j <= k; ++j)
-            z += c[scale::term_index(k, j)] * std::pow(double(x), double(k - j)) * std::pow(double(y), double(j));
+            z += c[CGAL::Jet_fitting::term_index(k, j)] * std::pow(double(x), double(k - j)) *
+                 std::pow(double(y), double(j));
         for (std::size_t s = 0; s < shells.size(); ++s)
           if (std::hypot(x, y) <= grid.radii[s]) add(shells[s], {{double(x), double(y), z}}, 1);
       }

@@ -28,59 +28,27 @@
 // Radius and degree as the user wants them, or chosen from the data where that is left open.
 namespace tool {
 
-// The middle one of the errors of curvatures, by bias and noise, that automatic() expects.
-inline double expected_error(const Estimates& estimates)
-{
-  std::vector<double> errors;
-  for (std::size_t v = 0; v < estimates.size(); ++v)
-    if (const double e = std::hypot(double(estimates.biases[v]), double(estimates.deviations[v])); std::isfinite(e))
-      errors.push_back(e);
-  if (errors.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return *middle;
-}
-
-inline std::string error_in_words(double error)
-{
-  std::ostringstream text;
-  text << std::setprecision(3) << error;
-  return std::isfinite(error) ? text.str() : "unknown";
-}
-
-// Radius and degree by the data. Normals of the file are data as well where that makes the expected errors smaller:
-// both is tried. The arguments and remarks are told what was done.
+// Radius and degree by the data. Normals of the file are data as well if automatic() does not leave them aside. The
+// arguments and remarks are told what was done.
 inline Estimates estimate_automatically(const Mesh& mesh, const Edge_marks& is_sharp, bool has_normals, Arguments& a,
                                         std::vector<std::string>& remarks, const std::function<void(double)>& show)
 {
-  const auto attempt = [&](double begin, double end) {
-    return estimate_once(mesh, is_sharp, Context(), Choice::automatic, a,
-                         [&](double fraction) { show(begin + fraction * (end - begin)); });
+  const auto attempt = [&](bool use_normals) {
+    a.options.use_normals = use_normals;
+    return estimate_once(mesh, is_sharp, Context(), Choice::automatic, a, show);
   };
-  Estimates estimates = attempt(0, has_normals ? 0.5 : 1);
-  if (!has_normals) return estimates;
-  a.options.use_normals = true;
-  Estimates with_normals;
-  std::string why_not;
+  if (!has_normals) return attempt(false);
+  const std::string only = a.of_points ? "not data, they only orient" : "not data";
   try {
-    with_normals = attempt(0.5, 1);
+    Estimates estimates = attempt(true);
+    a.options.use_normals = !std::isinf(estimates.summary.noise.normal);
+    remarks.push_back("normals of the file are " +
+                      (a.options.use_normals ? "data" : only + ": smaller errors are expected without them"));
+    return estimates;
   } catch (const CGAL::Jet_fitting::Invalid_input& e) { // as where their noise cannot be told
-    why_not = std::string(" (") + e.what() + ")";
+    remarks.push_back("normals of the file are " + only + ": " + e.what());
+    return attempt(false);
   }
-  const double error = expected_error(estimates), error_with = expected_error(with_normals);
-  a.options.use_normals = error_with < error;
-  std::ostringstream text;
-  if (std::isinf(with_normals.summary.noise.normal))
-    text << "normals of the file follow from its faces, and are no data";
-  else
-    text << "normals of the file are "
-         << (a.options.use_normals ? "data"
-             : a.of_points         ? "not data, they only orient"
-                                   : "not data")
-         << ": the middle expected error of curvatures is " << error_in_words(error_with) << " with them" << why_not
-         << ", " << error_in_words(error) << " without";
-  remarks.push_back(text.str());
-  return a.options.use_normals ? with_normals : estimates;
 }
 
 // Where there were too few neighbors for an automatic choice, the form of the fixed one. \return how many

@@ -33,9 +33,6 @@ constexpr std::size_t highest_degree = 6;
 /// The highest order of a term of the surface whose effect on the candidates is followed.
 constexpr std::size_t highest_order = 8;
 
-/// The place of x^(order - j) y^j among them: 1, x, y, x^2, xy, y^2, ...
-constexpr std::size_t term_index(std::size_t order, std::size_t j) { return order * (order + 1) / 2 + j; }
-
 /// Of x^i y^j up to the highest degree, in the order of term_index().
 using Coefficients = std::array<double, number_of_jet_coefficients(highest_degree)>;
 

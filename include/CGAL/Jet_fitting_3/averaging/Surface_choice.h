@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -68,8 +69,8 @@ public:
     for (const Height height : heights) choices.push_back(choice(height, grid, vertices));
     const bool has_potential = choices.size() == 1 || is_better(choices[0], choices[1], vertices.size());
     m_height = has_potential ? Height::potential : Height::z;
-    m_choices.push_back(std::move(has_potential ? choices.front() : choices.back()));
-    m_choices.back().learn_components(for_each);
+    m_choice.emplace(std::move(has_potential ? choices.front() : choices.back()));
+    m_choice->learn_components(for_each);
   }
 
   /// Which one is fitted.
@@ -78,7 +79,7 @@ public:
   /// At any vertex.
   Second_order_estimate estimate(Walker<Neighbors>& walker, std::size_t i) const
   {
-    return m_choices.back().estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, i)));
+    return m_choice->estimate(walker, i, nearest_place(m_points, whereabouts(m_surface, i)));
   }
 
   /// Of all candidates that there may be.
@@ -127,8 +128,8 @@ private:
 
   const Surface& m_surface;
   Height m_height = Height::z;
-  std::vector<Whereabouts> m_points; // of the places
-  std::vector<Choice_of_height> m_choices;
+  std::vector<Whereabouts> m_points;        // of the places
+  std::optional<Choice_of_height> m_choice; // there once it is made
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

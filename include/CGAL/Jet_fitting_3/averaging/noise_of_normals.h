@@ -9,6 +9,8 @@
 
 #include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
+#include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
+#include <CGAL/Jet_fitting_3/scale/Polynomial_value.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +60,7 @@ public:
   std::optional<double> difference_of_first() const
   {
     if (!m_solution) return std::nullopt;
-    return std::sqrt(square_of_difference(value_at(*m_solution, m_degree, m_places[0].x, m_places[0].y), m_normals[0]));
+    return std::sqrt(square_of_difference(fitted_at(m_places[0]), m_normals[0]));
   }
 
   /// Likewise of the heights of the points, along the normals.
@@ -80,6 +82,11 @@ private:
     return dot(across, across);
   }
 
+  scale::Polynomial_value fitted_at(const Vector_3<double>& place) const
+  {
+    return scale::value_at(m_solution->data(), m_degree, place.x, place.y);
+  }
+
   // Without the constant.
   std::size_t unknowns() const { return number_of_jet_coefficients(m_degree) - 1; }
 
@@ -88,8 +95,7 @@ private:
   {
     if (!m_solution) return std::numeric_limits<double>::infinity();
     double sum = 0;
-    for (std::size_t k = 0; k < m_places.size(); ++k)
-      sum += square(value_at(*m_solution, m_degree, m_places[k].x, m_places[k].y), m_places[k], m_normals[k]);
+    for (std::size_t k = 0; k < m_places.size(); ++k) sum += square(fitted_at(m_places[k]), m_places[k], m_normals[k]);
     const double freedom = double(equations - unknowns);
     return scale::median_correction(freedom) * sum / freedom;
   }

@@ -12,7 +12,7 @@
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
-#include <CGAL/Jet_fitting_3/scale/residual_variance.h>
+#include <CGAL/Jet_fitting_3/scale/Polynomial_value.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
@@ -67,26 +67,6 @@ std::vector<double> lengths_around(const Surface_points<Neighbors>& surface)
   return result;
 }
 
-/// The sum of x^i y^j times the first coefficients, up to the degree, and its gradient as slopes.
-inline scale::Polynomial_value value_at(const Coefficients& c, std::size_t degree, double x, double y)
-{
-  scale::Polynomial_value value;
-  double power_of_y = 1, below = 0; // y^j, j y^(j - 1)
-  for (std::size_t j = 0; j <= degree; ++j) {
-    double in_x = 0, slope = 0; // Horner
-    for (std::size_t i = degree - j + 1; i-- > 0;) {
-      slope = slope * x + in_x;
-      in_x = in_x * x + c[term_index(i + j, j)];
-    }
-    value.height += power_of_y * in_x;
-    value.slope_u += power_of_y * slope;
-    value.slope_v += below * in_x;
-    below = double(j + 1) * power_of_y;
-    power_of_y *= y;
-  }
-  return value;
-}
-
 /// The mean square of what a fit leaves to the first `count` vertices, per degree of freedom, or infinity. Noise along
 /// the surface, which shows in z where it slopes, is taken out, and the median is made that of the variance.
 template <class Neighbors>
@@ -105,8 +85,8 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   const auto c = matrix.solution(moments.heights, degree), flat = of_slopes.solution(moments.heights, 2);
   double sum = 0;
   for (const Vector_3<double>& q : local) {
-    const double rest = q.z - value_at(c, degree, q.x, q.y).height;
-    const scale::Polynomial_value slope = value_at(flat, 2, q.x, q.y);
+    const double rest = q.z - scale::value_at(c.data(), degree, q.x, q.y).height;
+    const scale::Polynomial_value slope = scale::value_at(flat.data(), 2, q.x, q.y);
     const Vector_3<double> gradient = slope.slope_u * frame.axes.x + slope.slope_v * frame.axes.y;
     sum += height == Height::z ? rest * rest / (1 + dot(gradient, gradient)) : rest * rest;
   }

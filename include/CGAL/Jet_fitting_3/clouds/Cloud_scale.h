@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/clouds/Fits_to_balls.h>
 #include <CGAL/Jet_fitting_3/clouds/High_degrees.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Automatic.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
@@ -62,12 +63,29 @@ public:
   {
     learn_high_degrees(for_each);
     if (order > 2)
-      learn_higher_orders(within, for_each, std::min<std::size_t>(order, cloud.has_normals() ? 3 : 4),
+      learn_higher_orders(within, for_each, std::min(order, cloud.has_normals() ? 3 : highest_chosen_order),
                           highest_of_orders);
   }
 
   /// Of the whole cloud.
   const Noise& noise() const { return m_automatic.noise(); }
+
+  /// The middle one of the squared errors of second derivatives that are expected at some points, by bias and noise;
+  /// infinite where nothing is known of the bias. \tparam Solver a model of StepSolver
+  template <class Solver, class For_each>
+  double expected_square(const For_each& for_each) const
+  {
+    constexpr std::size_t places = 100;
+    const Indices some = some_learned(places);
+    std::vector<double> squares(some.size(), unknown);
+    for_each(some.size(), [&](std::size_t k) {
+      Indices near;
+      Solver solver;
+      const Point_scale choice = choice_at(some[k], near, solver);
+      if (choice.is_chosen && !m_automatic.ladder(choice).noise_may_be_shape()) squares[k] = risk_of_curvatures(choice);
+    });
+    return median(std::move(squares));
+  }
 
   /// The form at point i. For several threads, each with a solver and a list of its own.
   /// \param order d', 2 at least

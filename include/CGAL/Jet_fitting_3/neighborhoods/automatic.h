@@ -29,12 +29,18 @@ namespace Jet_fitting {
 /// part to part. The noise is estimated or given likewise; if edges differ by more than four times, it is estimated for
 /// each length. Orders 3 and 4 have weights of their own, from degrees 3 and 5, 4 and 6, and up to 24 edges; orders
 /// above 4 come from one fit of degree `degree_monge`. With Options::use_normals the normals of the vertices join all
-/// fits to order 4, and where they are good, radii for order 2 begin with one ring; normals that follow from the faces,
-/// as those of Polygon_mesh_processing::compute_vertex_normals() do, say nothing that positions do not say, and are
-/// left aside. The origin is the vertex itself. Where edges are more than three times as long in one direction as
-/// across it, the surface turns by less than .2 radians along them, and normals are no data, so are neighborhoods.
-/// Where the surface turns too soon for all radii, as at tips, or these tell nothing, as on some coarse meshes, one fit
-/// of degree 2 to the first rings that have 14 vertices is taken, and tells large errors.
+/// fits to order 4, and where they are good, radii for order 2 begin with one ring. The origin is the vertex itself.
+/// Where edges are more than three times as long in one direction as across it, the surface turns by less than .2
+/// radians along them, and normals are no data, so are neighborhoods. Where the surface turns too soon for all radii,
+/// as at tips, or these tell nothing, as on some coarse meshes, one fit of degree 2 to the first rings that have 14
+/// vertices is taken, and tells large errors.
+///
+/// With Options::use_normals, on meshes and point sets, it learns what it does with normals as data and without, and
+/// leaves them aside where the middle squared error of second derivatives that it expects is less than a third without
+/// them. Normals that were computed from the points or the faces say nothing that positions do not say, and more is
+/// expected of them than they are worth: on a mesh they are left aside if they follow from the faces, as those of
+/// Polygon_mesh_processing::compute_vertex_normals() do, and those of a point set, unless thirty times as much is
+/// expected without them, if their errors are alike at neighbors.
 ///
 /// `degree_fitting`, if it is given, is the highest degree that is tried, 2 at least; without it `degree_monge` may be
 /// any. `degree_monge` is at most 4 if it is not given. For a point set degrees go up to 4, and where noise, if it is

@@ -9,6 +9,8 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Jet_fitting {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
@@ -20,6 +22,15 @@ class Automatic
 {};
 
 CGAL_JET_FITTING_3_END_NATIVE
+
+namespace scale {
+CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// The highest order of derivatives whose radius and degree are chosen; those above have no choice of their own.
+constexpr std::size_t highest_chosen_order = 4;
+
+CGAL_JET_FITTING_3_END_NATIVE
+} // namespace scale
 } // namespace Jet_fitting
 } // namespace CGAL
 

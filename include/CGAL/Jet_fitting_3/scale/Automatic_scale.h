@@ -67,7 +67,9 @@ public:
     }
     learn(of_some, noise.has_value(), for_each);
   }
-  Automatic_scale(Automatic_scale&&) = default; // no copies: the cloud points to the flags of the border
+  // No copies: the cloud points to the flags of the border.
+  Automatic_scale(Automatic_scale&&) = default;
+  Automatic_scale& operator=(Automatic_scale&&) = default;
 
   /// With the border that was found.
   const Cloud& cloud() const { return m_cloud; }

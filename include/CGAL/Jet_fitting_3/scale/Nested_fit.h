@@ -161,43 +161,43 @@ private:
     return variance;
   }
 
-  struct Exponents
+  // u^(order - j) v^j.
+  struct Term
   {
-    std::size_t i, j;
+    std::size_t order, j;
   };
 
-  static constexpr std::array<Exponents, n> exponents()
+  static constexpr std::array<Term, n> terms()
   {
-    std::array<Exponents, n> result{};
+    std::array<Term, n> result{};
     for (std::size_t order = 0, a = 0; order <= highest_nested_degree; ++order)
-      for (std::size_t j = 0; j <= order; ++j, ++a) result[a] = {order - j, j};
+      for (std::size_t j = 0; j <= order; ++j, ++a) result[a] = {order, j};
     return result;
   }
 
   void assemble(const Shell_sums& sums, double height_weight, double slope_weight, std::size_t degree)
   {
-    constexpr std::array<Exponents, n> powers = exponents();
+    constexpr std::array<Term, n> all = terms();
     for (std::size_t a = 0; a < number_of_jet_coefficients(degree); ++a) {
       m_right[a] = height_weight * sums.heights[a];
       for (std::size_t b = 0; b <= a; ++b)
-        m_factor[b][a] =
-            height_weight * sums.moments[monomial_index(powers[a].i + powers[b].i, powers[a].j + powers[b].j)];
+        m_factor[b][a] = height_weight * sums.moments[term_index(all[a].order + all[b].order, all[a].j + all[b].j)];
     }
     if (slope_weight > 0) add_slopes(sums, slope_weight, degree);
   }
 
   void add_slopes(const Shell_sums& sums, double weight, std::size_t degree)
   {
-    constexpr std::array<Exponents, n> powers = exponents();
+    constexpr std::array<Term, n> all = terms();
     for (std::size_t a = 0; a < number_of_jet_coefficients(degree); ++a) {
-      const auto [i, j] = powers[a];
-      if (i > 0) m_right[a] += weight * double(i) * sums.slopes_u[monomial_index(i - 1, j)];
-      if (j > 0) m_right[a] += weight * double(j) * sums.slopes_v[monomial_index(i, j - 1)];
+      const auto [k, j] = all[a];
+      if (k > j) m_right[a] += weight * double(k - j) * sums.slopes_u[term_index(k - 1, j)];
+      if (j > 0) m_right[a] += weight * double(j) * sums.slopes_v[term_index(k - 1, j - 1)];
       for (std::size_t b = 0; b <= a; ++b) {
-        const auto [k, l] = powers[b];
+        const auto [l, i] = all[b];
         double& e = m_factor[b][a];
-        if (i > 0 && k > 0) e += weight * double(i * k) * sums.moments[monomial_index(i + k - 2, j + l)];
-        if (j > 0 && l > 0) e += weight * double(j * l) * sums.moments[monomial_index(i + k, j + l - 2)];
+        if (k > j && l > i) e += weight * double((k - j) * (l - i)) * sums.moments[term_index(k + l - 2, j + i)];
+        if (j > 0 && i > 0) e += weight * double(j * i) * sums.moments[term_index(k + l - 2, j + i - 2)];
       }
     }
   }

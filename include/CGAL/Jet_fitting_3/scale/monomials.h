@@ -17,16 +17,13 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The place of u^i v^j among the monomials, by orders: 1, u, v, u^2, uv, v^2, ...
-constexpr std::size_t monomial_index(std::size_t i, std::size_t j) { return (i + j) * (i + j + 1) / 2 + j; }
-
 /// The highest degree of a Nested_fit, and of a candidate.
 constexpr std::size_t highest_nested_degree = 4;
 
 /// Those of the highest degree.
 constexpr std::size_t number_of_unknowns = number_of_jet_coefficients(highest_nested_degree);
 
-/// All monomials up to the given order, each from one of an order less.
+/// All monomials up to the given order, in the order of term_index(), each from one of an order less.
 template <std::size_t order>
 void monomials(double u, double v, double* result)
 {

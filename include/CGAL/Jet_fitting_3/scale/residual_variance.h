@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
+#include <CGAL/Jet_fitting_3/scale/Polynomial_value.h>
 
 #include <algorithm>
 #include <array>
@@ -20,28 +21,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// Height and slopes of a polynomial at a place.
-struct Polynomial_value
-{
-  double height = 0, slope_u = 0, slope_v = 0;
-};
-
-template <std::size_t degree>
-Polynomial_value value_at(const double* coefficients, double u, double v)
-{
-  Polynomial_value value;
-  double m[number_of_jet_coefficients(degree)];
-  monomials<degree>(u, v, m);
-  for (std::size_t order = 0, k = 0; order <= degree; ++order)
-    for (std::size_t j = 0; j <= order; ++j, ++k) {
-      const std::size_t i = order - j;
-      value.height += coefficients[k] * m[k];
-      if (i > 0) value.slope_u += coefficients[k] * double(i) * m[monomial_index(i - 1, j)];
-      if (j > 0) value.slope_v += coefficients[k] * double(j) * m[monomial_index(i, j - 1)];
-    }
-  return value;
-}
 
 /// The coefficients of a fit, of heights or of slopes alone.
 template <std::size_t degree>
@@ -61,8 +40,8 @@ inline double sum_of_squares(const std::vector<Local_sample>& samples, const Nes
   const auto flat = coefficients<2>(fit, of_slopes);
   double sum = 0;
   for (const Local_sample& s : samples) {
-    const Polynomial_value value = value_at<highest_nested_degree>(a.data(), s.u, s.v),
-                           slope = value_at<2>(flat.data(), s.u, s.v);
+    const Polynomial_value value = value_at(a.data(), highest_nested_degree, s.u, s.v),
+                           slope = value_at(flat.data(), 2, s.u, s.v);
     const double tilt = slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v;
     const double z = s.height - value.height, u = s.slope_u - value.slope_u, v = s.slope_v - value.slope_v;
     sum += of_slopes ? (u * u + v * v) / (1 - std::min(1., tilt) / 2) : z * z / (1 + tilt);
@@ -70,17 +49,30 @@ inline double sum_of_squares(const std::vector<Local_sample>& samples, const Nes
   return sum;
 }
 
-inline double residual_variance(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
-                                bool of_slopes)
+/// Samples per radius, and what they contribute to fits.
+struct Samples_and_sums
 {
-  Shell_sums sums;
   std::vector<Local_sample> samples;
+  Shell_sums sums;
+};
+
+inline Samples_and_sums samples_and_sums(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                         double radius)
+{
+  Samples_and_sums result;
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, 1);
     if (!s.is_there) continue;
-    samples.push_back(s);
-    sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+    result.samples.push_back(s);
+    result.sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
   }
+  return result;
+}
+
+inline double residual_variance(const Cloud& cloud, const Indices& near, const Local_frame& frame, double radius,
+                                bool of_slopes)
+{
+  const auto [samples, sums] = samples_and_sums(cloud, near, frame, radius);
   const Nested_fit fit(sums, of_slopes ? 0 : 1, of_slopes ? 1 : 0);
   const double unknowns = number_of_unknowns,
                freedom = of_slopes ? 2 * sums.size() - unknowns + 1 : sums.size() - unknowns;

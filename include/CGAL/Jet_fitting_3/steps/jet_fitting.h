@@ -210,7 +210,7 @@ numeric::Buffer<FT, 128> residuals(const Heights<FT>& h, const numeric::Buffer<F
     FT jet(0), power_v(1); // Horner's rule in u inside a sum over powers of v
     for (std::size_t j = 0; j <= degree; ++j) {
       FT in_u(0);
-      for (std::size_t k = degree; k + 1 > j; --k) in_u = in_u * h.u[s] + y[k * (k + 1) / 2 + j];
+      for (std::size_t k = degree; k + 1 > j; --k) in_u = in_u * h.u[s] + y[term_index(k, j)];
       jet = jet + in_u * power_v;
       power_v = power_v * h.v[s];
     }

@@ -22,6 +22,10 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 constexpr std::size_t number_of_jet_coefficients(std::size_t degree) { return (degree + 1) * (degree + 2) / 2; }
 
 /// \ingroup PkgJetFitting3Steps
+/// The place of u^(order - j) v^j among the terms of a polynomial: 1, u, v, u^2, uv, v^2, ...
+constexpr std::size_t term_index(std::size_t order, std::size_t j) { return order * (order + 1) / 2 + j; }
+
+/// \ingroup PkgJetFitting3Steps
 /// How many samples with normals, which bring three equations each, determine a d-jet if they lie in general: N_d / 3,
 /// rounded up. Degrees 2 and 4 take one more: the squares of the line through 2 points and of the conic through 5
 /// vanish there with their slopes. No other degree is such an exception (Alexander and Hirschowitz 1995).
@@ -63,8 +67,8 @@ public:
 
   /// @{
   /// The order-k part A_k0, A_k-1,1, ..., A_0k: a symmetric k-linear form.
-  const FT* part(std::size_t k) const { return m_derivatives.data() + k * (k + 1) / 2; }
-  FT* part(std::size_t k) { return m_derivatives.data() + k * (k + 1) / 2; }
+  const FT* part(std::size_t k) const { return m_derivatives.data() + term_index(k, 0); }
+  FT* part(std::size_t k) { return m_derivatives.data() + term_index(k, 0); }
   /// @}
 
 private:

@@ -28,7 +28,7 @@ struct Noise
   /// @{
   /// The standard deviation of a component, along the surface, of the difference between a given normal and that of
   /// the surface at the foot of its point: the angle along each tangent, in radians. 0 without normals;
-  /// infinite where automatic() leaves them aside, since they follow from the faces of the mesh.
+  /// infinite where automatic() leaves them aside, since it expects smaller errors without them.
   double normal = 0, normal_error = 0;
   /// @}
   /// How many given normals of a mesh automatic() takes for wrong, and not as data: those that differ from the tangent

@@ -18,6 +18,7 @@
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Automatic.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>
@@ -48,10 +50,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 struct Normals_as_data
 {
   Unit_normals given;
-  std::vector<Vector_3<double>> of_faces; ///< none where nothing is to be compared with them
+  std::vector<Vector_3<double>> of_faces{}; ///< none where nothing is to be compared with them
   bool are_means_of_faces = false;
-
-  bool are_data() const { return !given.empty() && !are_means_of_faces; }
 };
 
 /// Calls body(k) for each k below count, a few at a time, with a body for each thread.
@@ -82,7 +82,7 @@ class Learned_surface
 public:
   using Walker = Unit_surface::Walker;
 
-  /// All derivatives at a vertex, in a frame of its own.
+  /// All derivatives at a vertex, in a frame of its own. Above order 2 they are there once they are learned.
   struct Result
   {
     averaging::Second_order_estimate second;
@@ -93,16 +93,22 @@ public:
 
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
-                  const Automatic_degrees& degrees, const Options& options)
-    : m_surface(tables, of_mesh, normals.are_data(), options.loss == Loss::tukey, For_each_with_body<ConcurrencyTag>()),
+                  std::size_t highest_degree, const Options& options)
+    : m_highest_degree(highest_degree), m_surface(tables, of_mesh, !normals.given.empty(), options.loss == Loss::tukey,
+                                                  For_each_with_body<ConcurrencyTag>()),
       m_noise(noise(tables.points, options)), m_squares_of_noise(squares_of_noise()),
       m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
-               degrees.highest, For_each_with_body<ConcurrencyTag>())
+               highest_degree, For_each_with_body<ConcurrencyTag>())
+  {}
+
+  /// Orders up to this one that have a choice of their own.
+  template <class ConcurrencyTag>
+  void learn_orders(ConcurrencyTag, std::size_t highest)
   {
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
-    for (std::size_t order = 3; order <= (std::min)(degrees.order, std::size_t(4)); ++order)
+    for (std::size_t order = 3; order <= (std::min)(highest, scale::highest_chosen_order); ++order)
       m_higher.emplace_back(Fits(m_surface.surface(), m_squares_of_noise, order, m_choice.height()),
-                            averaging::radii_of_disks(), degrees.highest,
+                            averaging::radii_of_disks(), m_highest_degree,
                             averaging::spread_over_scales(m_surface.surface().units, averaging::most_places), frame_at,
                             For_each_with_body<ConcurrencyTag>());
   }
@@ -112,6 +118,24 @@ public:
   bool is_outlier(Index node) const { return m_surface.is_outlier(node); }
   /// In units.
   const Noise& noise() const { return m_noise.of_all; }
+  /// As data.
+  bool has_normals() const { return m_surface.surface().given; }
+
+  /// The middle one of the squared errors of second derivatives that are expected at some vertices, by bias and noise.
+  template <class ConcurrencyTag>
+  double expected_square(ConcurrencyTag) const
+  {
+    constexpr std::size_t places = 100;
+    const std::vector<std::size_t> some = averaging::spread_vertices(m_surface.surface().points.size(), places);
+    std::vector<double> squares(some.size(), std::numeric_limits<double>::infinity());
+    For_each_with_body<ConcurrencyTag>()(some.size(), [&] {
+      return [&, own = walker()](std::size_t k) mutable {
+        const averaging::Second_order_estimate estimate = m_choice.estimate(own, some[k]);
+        if (estimate.exists) squares[k] = estimate.risk();
+      };
+    });
+    return scale::median(std::move(squares));
+  }
 
   /// No neighborhood of the vertex has a larger radius. In the unit of the tables.
   double largest_radius(Index i) const { return averaging::largest_radius * m_surface.surface().units[i]; }
@@ -185,9 +209,8 @@ private:
   const Unit_surface::Surface& surface_with_data(const Tables& tables, const Normals_as_data& normals,
                                                  const Options& options, const For_each& for_each)
   {
-    if (!normals.given.empty()) m_noise.of_all.normal = std::numeric_limits<double>::infinity();
     take_tangent_planes(for_each);
-    if (normals.are_data()) take_normals(tables, normals, options, for_each);
+    if (!normals.given.empty()) take_normals(tables, normals, options, for_each);
     return m_surface.surface();
   }
 
@@ -230,6 +253,7 @@ private:
     m_surface.take_normals(std::move(sound.normals), noise.normal, m_squares_of_noise);
   }
 
+  std::size_t m_highest_degree;
   Unit_surface m_surface;
   averaging::Surface_noise m_noise;
   std::vector<double> m_squares_of_noise;
@@ -257,15 +281,25 @@ public:
     check_options_for_automatic(options, m_points.per_length());
     check_degree_for_automatic(degrees.highest);
     if (m_points.size() == 0) throw Invalid_input("automatic() needs a mesh with vertices: this one has none");
-    const std::size_t learned = for_places ? degrees.order_at_places() : degrees.order;
-    m_learned = std::make_shared<const Learned_surface<Kernel>>(tag, tables, of_mesh, normals,
-                                                                Automatic_degrees{learned, degrees.highest},
-                                                                with_least_noise(options));
+    const auto learned = [&](const Normals_as_data& data) {
+      return std::make_shared<Learned>(tag, tables, of_mesh, data, degrees.highest, with_least_noise(options));
+    };
+    std::shared_ptr<Learned> best;
+    if (!normals.are_means_of_faces) best = learned(normals);
+    if (may_be_left_aside(normals.given, options)) {
+      std::shared_ptr<Learned> without = learned({});
+      m_are_normals_left_aside =
+          !best || !best->has_normals() || is_better_without(without->expected_square(tag), best->expected_square(tag));
+      if (m_are_normals_left_aside) best = std::move(without);
+    }
+    best->learn_orders(tag, for_places ? degrees.order_at_places() : degrees.order);
+    m_learned = std::move(best);
     m_walker = std::make_shared<Walker>(m_learned->walker());
   }
 
   Automatic_mesh_estimator(const Automatic_mesh_estimator& other)
-    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_degrees(other.m_degrees), m_learned(other.m_learned),
+    : m_points(other.m_points), m_adjacency(other.m_adjacency), m_degrees(other.m_degrees),
+      m_are_normals_left_aside(other.m_are_normals_left_aside), m_learned(other.m_learned),
       m_walker(std::make_shared<Walker>(m_learned->walker()))
   {}
 
@@ -273,7 +307,11 @@ public:
   /// To which forms are turned where no normals are given: with noise the normal of a single vertex may be on the wrong
   /// side.
   Normal_table sides() const { return m_learned->sides(); }
-  Noise noise() const { return in_larger_unit(m_learned->noise(), m_points.per_length()); }
+  Noise noise() const
+  {
+    return in_larger_unit(m_are_normals_left_aside ? without_normals(m_learned->noise()) : m_learned->noise(),
+                          m_points.per_length());
+  }
   static constexpr std::size_t rows_at_a_time() { return 1; }
 
   /// Storage of `results` is used again.
@@ -295,7 +333,8 @@ public:
   }
 
 private:
-  using Walker = typename Learned_surface<Kernel>::Walker;
+  using Learned = Learned_surface<Kernel>;
+  using Walker = typename Learned::Walker;
 
   // Where all data are exact, what fits leave takes the place of noise: it tells which candidates are sound.
   static Options with_least_noise(Options options)
@@ -319,7 +358,7 @@ private:
       result.status = Status_flag::outlier;
       return;
     }
-    const typename Learned_surface<Kernel>::Result chosen = m_learned->estimate(*m_walker, node, dprime, m_solver);
+    const typename Learned::Result chosen = m_learned->estimate(*m_walker, node, dprime, m_solver);
     if (!chosen.exists) {
       result.status = Status_flag::too_few_points;
       if (m_adjacency[node].size() == 0) result.status |= Status_flag::isolated;
@@ -343,7 +382,8 @@ private:
   const Point_table<Kernel>& m_points;
   const Adjacency& m_adjacency;
   Automatic_degrees m_degrees;
-  std::shared_ptr<const Learned_surface<Kernel>> m_learned;
+  bool m_are_normals_left_aside = false;
+  std::shared_ptr<const Learned> m_learned;
   std::shared_ptr<Walker> m_walker;
   Orthogonal_solver<double> m_solver;
 };

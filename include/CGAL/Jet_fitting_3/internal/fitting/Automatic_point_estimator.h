@@ -14,12 +14,14 @@
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/have_like_errors.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 
 #include <algorithm>
@@ -29,6 +31,7 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,19 +50,41 @@ public:
   template <class ConcurrencyTag>
   Learned_scale(ConcurrencyTag, const Tables& tables, const Unit_normals& normals, const Automatic_degrees& degrees,
                 const Options& options)
-    : m_cloud(tables, normals),
-      m_scale(cloud<ConcurrencyTag>(options), std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
-              (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest)
-  {}
+    : m_cloud(tables, normals), m_scale(learned<ConcurrencyTag>(cloud<ConcurrencyTag>(options), degrees, options))
+  {
+    if (!may_be_left_aside(normals, options)) return;
+    scale::Cloud positions = m_cloud.cloud();
+    positions.normals = nullptr;
+    Scale without = learned<ConcurrencyTag>(positions, degrees, options);
+    const For_each<ConcurrencyTag> for_each;
+    using Solver = Orthogonal_solver<double>;
+    m_are_normals_left_aside =
+        is_better_without(without.template expected_square<Solver>(for_each),
+                          m_scale.template expected_square<Solver>(for_each),
+                          scale::have_like_errors(m_cloud.cloud(), m_cloud.search(), m_scale.noise()));
+    if (m_are_normals_left_aside) m_scale = std::move(without);
+  }
 
   const auto& scale() const { return m_scale; }
   bool is_outlier(Index sample) const { return m_cloud.is_outlier(sample); }
   /// How many units one length is.
   double per_length() const { return m_cloud.per_length(); }
   /// In lengths.
-  Noise noise() const { return in_larger_unit(m_scale.noise(), per_length()); }
+  Noise noise() const
+  {
+    return in_larger_unit(m_are_normals_left_aside ? without_normals(m_scale.noise()) : m_scale.noise(), per_length());
+  }
 
 private:
+  using Scale = scale::Cloud_scale<std::reference_wrapper<const typename Cloud::Search>>;
+
+  template <class ConcurrencyTag>
+  Scale learned(const scale::Cloud& cloud, const Automatic_degrees& degrees, const Options& options) const
+  {
+    return Scale(cloud, std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
+                 (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest);
+  }
+
   template <class ConcurrencyTag>
   struct For_each
   {
@@ -90,7 +115,8 @@ private:
   }
 
   Cloud m_cloud;
-  scale::Cloud_scale<std::reference_wrapper<const typename Cloud::Search>> m_scale;
+  Scale m_scale;
+  bool m_are_normals_left_aside = false;
 };
 
 /// Estimates forms at radii and degrees that are chosen for each sample. A row is the sample alone: its neighbors are

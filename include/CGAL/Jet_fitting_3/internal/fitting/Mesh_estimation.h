@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Automatic_mesh_estimator.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/normals_of_faces.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/parameters.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/read_point_weights.h>
@@ -101,10 +102,10 @@ private:
     if constexpr (is_automatic) {
       const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
       const Normal_table of_mesh = normals_of_mesh<ConcurrencyTag>(mesh, m_tables);
-      Normals_as_data normals{m_normals, {}, false};
-      if (m_options.use_normals && !m_options.normal_noise) {
+      Normals_as_data normals{m_normals};
+      if (may_be_left_aside(m_normals, m_options)) {
         normals.are_means_of_faces = are_means_of_faces(mesh, *m_tables.numbering, m_tables.points, m_normals);
-        if (normals.are_data()) normals.of_faces = unit_vectors(of_mesh, m_tables.size());
+        normals.of_faces = unit_vectors(of_mesh, m_tables.size());
       }
       return Automatic_mesh_estimator<Kernel>(tag, m_tables, of_mesh, normals, degrees, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);

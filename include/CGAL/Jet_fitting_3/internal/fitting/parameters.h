@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/internal/fitting/sample_sources.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Automatic.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Named_function_parameters.h>
 
@@ -59,8 +60,7 @@ struct Estimation_parameters
     using parameters::choose_parameter;
     using parameters::get_parameter;
     d = degree_parameter("degree_fitting", choose_parameter(get_parameter(np, internal_np::degree_fitting), 2));
-    constexpr std::size_t highest_chosen = 4; // orders above have no choice of their own
-    const std::size_t otherwise = is_automatic ? (std::min)(d, highest_chosen) : d;
+    const std::size_t otherwise = is_automatic ? (std::min)(d, scale::highest_chosen_order) : d;
     dprime =
         degree_parameter("degree_monge", choose_parameter(get_parameter(np, internal_np::degree_monge), otherwise));
     if (is_automatic && !has_degree_fitting) d = (std::max)(d, dprime);
