@@ -15,13 +15,9 @@
 #include "on_this_processor.h"
 #include "sharp_edges.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iomanip>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 

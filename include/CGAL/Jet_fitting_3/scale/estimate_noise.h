@@ -48,6 +48,12 @@ struct Residual_variances
   bool look_flat = false; ///< whether the points spread far more along two axes than along the third
 };
 
+/// In which slopes are fitted that tell the noise of normals, before it is known.
+inline Local_frame frame_of_slopes(const Cloud& cloud, const Indices& near, std::size_t i, double radius)
+{
+  return frame_by_normals(cloud, near, i, radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
+}
+
 /// The neighbors of point i that lie within a radius are what within(i, radius, indices) gives.
 template <class Within>
 Residual_variances residual_variances(const Cloud& cloud, const Within& within, std::size_t i, double radius,
@@ -64,8 +70,7 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   result.neighbors = double(near.size());
   result.heights = residual_variance(positions, near, frame, radius, false);
   if (!cloud.has_normals()) return result;
-  const Local_frame by_normals = frame_by_normals(cloud, near, i, radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
-  result.slopes = residual_variance(cloud, near, by_normals, radius, true);
+  result.slopes = residual_variance(cloud, near, frame_of_slopes(cloud, near, i, radius), radius, true);
   return result;
 }
 
@@ -172,6 +177,12 @@ struct Density
   double across_lines = 1; ///< a factor of all radii, see factor_across_lines()
 };
 
+/// Of the least level, over that of level 0.
+inline double least_scale(const Density& density)
+{
+  return scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+}
+
 /// The radii of balls at places of several levels: a factor above the least of level 0, or the least of their own; all
 /// enlarged by another.
 inline std::vector<double> radii_at(const Density& density, double factor, double enlarged)
@@ -189,7 +200,7 @@ double factor_across_lines(const Cloud& cloud, const Within& within, const Indic
 {
   constexpr int most_steps = 12;
   const Cloud positions{cloud.points, nullptr, cloud.size};
-  const double least = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  const double least = least_scale(density);
   for (int step = 0; step < most_steps; ++step, density.across_lines *= ladder_step)
     if (residuals_of_balls(positions, within, places, radii_at(density, least, 1)).are_determined) break;
   return density.across_lines;
@@ -220,7 +231,7 @@ Noise estimate_noise(const Cloud& cloud, const Within& within, const Indices& pl
     return residuals_of_balls(cloud, within, places, radii_at(density, factor, enlarged));
   };
   const double radius = density.across_lines * density.radius;
-  const double least_factor = scale_of_level(*std::min_element(density.levels.begin(), density.levels.end()));
+  const double least_factor = least_scale(density);
   double factor = least_factor;
   const Residuals_of_balls least = at(factor);
   Residuals_of_balls v = least;

@@ -14,7 +14,6 @@
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -54,8 +53,7 @@ inline std::optional<double> correlation_of_normals(const Cloud& cloud, const In
                                                     double radius, double noise)
 {
   constexpr double most = 1.5; // mean square, over that of noise; what is more is shape, which is alike
-  const Local_frame frame = frame_by_normals(cloud, near, i, radius, radius, Noise{0.1 * radius, 0, 0.1, 0});
-  const auto [samples, sums] = samples_and_sums(cloud, near, frame, radius);
+  const auto [samples, sums] = samples_and_sums(cloud, near, frame_of_slopes(cloud, near, i, radius), radius);
   const Nested_fit fit(sums, 0, 1);
   if (samples.size() < number_of_unknowns || !fit.determines(highest_nested_degree)) return std::nullopt;
   const auto a = coefficients<highest_nested_degree>(fit, true);
@@ -83,8 +81,7 @@ bool have_like_errors(const Cloud& cloud, const Within& within, const Noise& noi
   if (!is_told_from_shape(noise.normal, noise.normal_error)) return false;
   const Indices places = places_for_noise(cloud);
   const Density here = density(cloud, within, places);
-  const double least = scale_of_level(*std::min_element(here.levels.begin(), here.levels.end()));
-  const std::vector<double> radii = radii_at(here, least, 1);
+  const std::vector<double> radii = radii_at(here, least_scale(here), 1);
   std::vector<double> correlations;
   Indices near;
   for (std::size_t k = 0; k < places.size(); ++k) {
