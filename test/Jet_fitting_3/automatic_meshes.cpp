@@ -7,6 +7,7 @@
 // automatic() on meshes with noise, through estimate_vertex_monge_forms().
 #include "check.h"
 #include "double_mesh.h"
+#include "isosurface.h"
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/estimate_vertex_monge_forms.h>
@@ -216,6 +217,34 @@ void noise_alike_at_neighbors()
   }
   std::cout << "noise alike at neighbors: " << std::sqrt(product) << '\n';
   check_le(std::sqrt(product), 1, "noise alike at neighbors, beside the best fixed choice");
+}
+
+// Of values at the points of a grid, exact ones or with noise: what linear interpolation errs by, and noise, is alike
+// at vertices that share a point of the grid. Curvatures are as good as by the best fixed choice.
+void isosurfaces()
+{
+  constexpr double half = 3.3;
+  const auto torus_value = [](const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; };
+  const auto ellipsoid_value = [](const Point& p) { return (p.x * p.x / 9 + p.y * p.y / 4 + p.z * p.z - 1) / 2; };
+  double product = 1;
+  const auto beside_fixed = [&](const auto& value, const Analytic_mesh& exact, int n, double noise) {
+    Noisy_mesh mesh(isosurface(value, exact.truth, half, n, noise), 0);
+    double best = std::numeric_limits<double>::infinity();
+    for (int rings : {3, 4, 6, 8})
+      for (std::size_t degree : {2u, 4u}) {
+        mesh.estimate(jets::k_rings(rings), degree);
+        best = (std::min)(best, mesh.rms_error());
+      }
+    mesh.estimate(jets::automatic(), 6);
+    const double ratio = mesh.rms_error() / best;
+    std::cout << "isosurface, " << exact.name << ", noise " << noise << ": " << ratio << '\n';
+    check_le(ratio, 1.2, "isosurface, " + exact.name + ", noise " + text(noise) + ", beside the best fixed choice");
+    product *= ratio;
+  };
+  beside_fixed(torus_value, torus(2, 1, 3, 3), 20, 0);
+  beside_fixed(torus_value, torus(2, 1, 3, 3), 20, 0.03);
+  beside_fixed(ellipsoid_value, ellipsoid(3, 2, 1, 1), 24, 0);
+  check_le(std::cbrt(product), 0.8, "isosurfaces, beside the best fixed choice");
 }
 
 // Waves of few edges are a surface, and no noise that is alike at neighbors.
@@ -792,6 +821,7 @@ int main()
   for (const bool noise_grows_with_edges : {false, true}) graded_mesh(noise_grows_with_edges);
   noise_of_an_edge();
   noise_alike_at_neighbors();
+  isosurfaces();
   short_waves();
   noise_of_one_half();
   errors_of_normals();

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -172,33 +173,80 @@ inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& plac
   return noise;
 }
 
+/// Medians over places of several numbers. None where more than half of the places do not have them.
+/// \tparam count of numbers
+/// \param numbers numbers(k) of place k, an array of them; if the last is finite, so are the others
+template <std::size_t count, class Numbers>
+std::optional<std::array<double, count>> medians_over_places(std::size_t places, const Numbers& numbers)
+{
+  std::array<std::vector<double>, count> all;
+  for (std::size_t k = 0; k < places; ++k) {
+    const std::array<double, count> own = numbers(k);
+    if (!std::isfinite(own.back())) continue;
+    for (std::size_t j = 0; j < count; ++j) all[j].push_back(own[j]);
+  }
+  if (all[0].empty() || 2 * all[0].size() < places) return std::nullopt;
+  std::array<double, count> result;
+  std::transform(all.begin(), all.end(), result.begin(), [](auto& values) { return scale::median(std::move(values)); });
+  return result;
+}
+
 /// Noise that is alike at neighbors, as meshes from grids and smoothed ones have it: fits to few rings follow it. What
 /// fits of the higher degree leave grows with the rings, at first, and then hardly: by less than the square of their
 /// number, by which it grows where edges of the surface are within reach; on smooth surfaces by about the eleventh
 /// power. The largest such; 0 if there is none. None, too, if it still grows much from the second number of rings to
 /// the fourth: then it is waves of the surface, which fits to fewer rings follow.
 /// \param known the noise of each place, if it were not alike: by this what is left is measured, and the result
-inline Size_of_noise noise_alike_at_neighbors(const std::vector<Residuals_at_place>& places,
-                                              const std::vector<double>& known, std::size_t first_ring)
+inline Size_of_noise noise_alike_by_rings(const std::vector<Residuals_at_place>& places,
+                                          const std::vector<double>& known, std::size_t first_ring)
 {
   constexpr double power = 1.75;
   constexpr double of_waves = 2.5; // grids leave up to 2.1, waves of 7 edges 3.1
   Size_of_noise noise{0, 0};
   for (std::size_t k = 1; k + 2 < Residuals_at_place::rings; ++k) {
-    std::array<std::vector<double>, 3> of_rings;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (std::isfinite(places[i].variances[1][k + 2])) // then those of fewer rings are known
-        for (std::size_t j = 0; j < 3; ++j)
-          of_rings[j].push_back(places[i].variances[1][k + j] / (known[i] * known[i]));
-    if (of_rings[0].empty() || 2 * of_rings[0].size() < places.size()) break;
-    const double least = scale::median(of_rings[0]), middle = scale::median(of_rings[1]),
-                 most = scale::median(of_rings[2]);
+    const auto left = medians_over_places<3>(places.size(), [&](std::size_t i) {
+      const auto& variances = places[i].variances[1];
+      const double square = known[i] * known[i];
+      return std::array<double, 3>{variances[k] / square, variances[k + 1] / square, variances[k + 2] / square};
+    });
+    if (!left) break;
+    const auto [least, middle, most] = *left;
     const double factor = double(first_ring + k + 2) / double(first_ring + k);
     if (k == 1 && most > of_waves * least) break;
     if (most > std::pow(factor, power) * least || std::sqrt(middle) <= noise.value) continue;
     noise = {std::sqrt(middle), std::abs(std::sqrt(most) - std::sqrt(least)) / 2};
   }
   return noise;
+}
+
+/// Likewise where surfaces turn within these rings, as meshes from marching cubes and tetrahedra do: fits of the higher
+/// degree to the first number of rings follow the noise and leave far less than to the second. Of a shape the lower
+/// degree would leave far more there, or both to the next number; or nothing more the lower, if it is waves too short
+/// for this; or nearly nothing is left to the first number, as between edges of the surface.
+inline Size_of_noise noise_alike_by_degrees(const std::vector<Residuals_at_place>& places,
+                                            const std::vector<double>& known)
+{
+  // Such meshes with noise: .35 to .55, 1.3 to 3.1, 1.3 to 2.3, 1.0 to 1.7, from 1.3 on where by_degree is above 2, and
+  // up to 27; waves of 5.5 to 8 edges, tori with independent noise, and most meshes with edges or fine details: beyond.
+  constexpr double far_less = 0.6, more_by_degree = 3.2, more_by_ring = 2.4, more_by_ring_of_low = 1.75,
+                   still_more = 1.3, hardly = 2, most = 30;
+  const auto left = medians_over_places<6>(places.size(), [&](std::size_t i) {
+    const auto& [low, high] = places[i].variances;
+    const double square = known[i] * known[i];
+    // what potentials leave contains how the normals err
+    const double first = places[i].height == Height::z ? high[0] : std::numeric_limits<double>::infinity();
+    return std::array<double, 6>{low[1] / square,   high[1] / square, low[1] / high[1],
+                                 high[2] / high[1], low[2] / low[1],  first / high[1]};
+  });
+  if (!left) return {0, 0};
+  const auto [low, high, by_degree, by_ring, by_ring_of_low, of_first_ring] = *left;
+  if (of_first_ring > far_less || by_degree > more_by_degree || by_ring > more_by_ring ||
+      by_ring_of_low > more_by_ring_of_low || low > most)
+    return {0, 0};
+  const bool low_follows = by_degree > hardly; // then it, too, leaves less than the noise
+  if (low_follows && by_ring_of_low < still_more) return {0, 0};
+  const double noise = std::sqrt(low_follows ? low * by_ring_of_low : low);
+  return {noise, std::abs(noise - std::sqrt(high))};
 }
 
 /// The noise of points: of all, and around places.
@@ -312,7 +360,8 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
   Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
   if (!is_told || !(of_all.value > 0)) return result;
   const std::vector<double> around = noise_around_places(places, size, first_ring, of_all);
-  const Size_of_noise alike = noise_alike_at_neighbors(places, around, first_ring);
+  Size_of_noise alike = noise_alike_by_rings(places, around, first_ring);
+  if (!(alike.value > more)) alike = noise_alike_by_degrees(places, around);
   const bool is_alike = alike.value > more;
   if (is_alike) {
     result.factor = alike_at_four;
