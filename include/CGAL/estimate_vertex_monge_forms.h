@@ -53,7 +53,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///          it and without d)
 ///        - `vertex_point_map` (the mesh's own); another one is read by the calling thread only
 ///        - `vertex_index_map` (the mesh's own, if it has one)
-///        - `vertex_normal_map`, vectors of any length, to orient the forms, and with Options::use_normals as data
+///        - `vertex_normal_map`, vectors of any length, to orient the forms, and with Options::use_normals as data.
+///          Each form goes by the normal of its own vertex: with noise of a fifth of an edge and more, single normals
+///          that were computed from the faces are on the wrong side, and with automatic() none are better
 ///        - `point_weight_map`, from vertices to weights, instead of Fit_options::point_weights: see
 ///          parameters::point_weight_map()
 ///        - `edge_is_constrained_map`: neighborhoods do not cross the edges for which it is true. A vertex on such an

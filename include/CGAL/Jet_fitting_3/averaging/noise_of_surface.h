@@ -226,8 +226,8 @@ inline Size_of_noise noise_alike_by_rings(const std::vector<Residuals_at_place>&
 inline Size_of_noise noise_alike_by_degrees(const std::vector<Residuals_at_place>& places,
                                             const std::vector<double>& known)
 {
-  // Such meshes with noise: .35 to .55, 1.3 to 3.1, 1.3 to 2.3, 1.0 to 1.7, from 1.3 on where by_degree is above 2, and
-  // up to 27; waves of 5.5 to 8 edges, tori with independent noise, and most meshes with edges or fine details: beyond.
+  // Such meshes with noise: up to .58, 3.1, 2.3 and 1.7, from 1.3 on where by_degree is above 2, and up to 27; waves of
+  // 5.5 to 8 edges, tori with independent noise, and most meshes with edges or fine details: beyond one of them.
   constexpr double far_less = 0.6, more_by_degree = 3.2, more_by_ring = 2.4, more_by_ring_of_low = 1.75,
                    still_more = 1.3, hardly = 2, most = 30;
   const auto left = medians_over_places<6>(places.size(), [&](std::size_t i) {
