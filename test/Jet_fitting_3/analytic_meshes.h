@@ -135,9 +135,31 @@ inline Analytic_mesh torus(double big, double small, std::size_t m, std::size_t 
   return mesh;
 }
 
-// The graph of z = h(x, y) over the unit square, upwards; h gives the height and its derivatives x, y, xx, xy, yy.
-inline Analytic_mesh graph(const std::string& name, std::size_t n,
-                           std::function<std::array<double, 6>(double, double)> h, bool quadrangles = false)
+// A height and its derivatives x, y, xx, xy, yy.
+using Height_function = std::function<std::array<double, 6>(double, double)>;
+
+// A bell, h exp(-(x^2 + y^2) / 2 s^2), around a place.
+inline Height_function bell(double h, double s, double x0, double y0)
+{
+  return [=](double x, double y) -> std::array<double, 6> {
+    const double u = (x - x0) / s, v = (y - y0) / s, z = h * std::exp(-(u * u + v * v) / 2), ss = s * s;
+    return {z, -u / s * z, -v / s * z, (u * u - 1) / ss * z, u * v / ss * z, (v * v - 1) / ss * z};
+  };
+}
+
+// Of the graph of z = h(x, y), seen from above.
+inline std::function<Curvatures(const Point&)> curvatures_of_graph(const Height_function& h)
+{
+  return [h](const Point& p) {
+    const auto [z, zx, zy, zxx, zxy, zyy] = h(p.x, p.y);
+    const double w = 1 + zx * zx + zy * zy;
+    const double mean = ((1 + zy * zy) * zxx - 2 * zx * zy * zxy + (1 + zx * zx) * zyy) / (2 * w * std::sqrt(w));
+    return curvatures(mean, (zxx * zyy - zxy * zxy) / (w * w), unit(Point(-zx, -zy, 1)));
+  };
+}
+
+// That graph over the unit square, upwards.
+inline Analytic_mesh graph(const std::string& name, std::size_t n, const Height_function& h, bool quadrangles = false)
 {
   Analytic_mesh mesh;
   mesh.name = name;
@@ -147,12 +169,7 @@ inline Analytic_mesh graph(const std::string& name, std::size_t n,
       mesh.points.emplace_back(x, y, h(x, y)[0]);
     }
   mesh.faces = grid_faces(n, n, false, quadrangles);
-  mesh.truth = [h](const Point& p) {
-    const auto [z, zx, zy, zxx, zxy, zyy] = h(p.x, p.y);
-    const double w = 1 + zx * zx + zy * zy;
-    const double mean = ((1 + zy * zy) * zxx - 2 * zx * zy * zxy + (1 + zx * zx) * zyy) / (2 * w * std::sqrt(w));
-    return curvatures(mean, (zxx * zyy - zxy * zxy) / (w * w), unit(Point(-zx, -zy, 1)));
-  };
+  mesh.truth = curvatures_of_graph(h);
   return mesh;
 }
 

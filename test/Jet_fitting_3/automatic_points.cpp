@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // automatic() on point sets with noise, through estimate_point_monge_forms().
+#include "analytic_meshes.h"
 #include "check.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -240,20 +241,16 @@ void bump_in_a_plane(double s, double noise, double most)
   std::normal_distribution<double> normal(0, 1);
   std::vector<Oriented> points;
   std::vector<std::size_t> on_bump;
+  const Height_function height = bell(0.6 * s, s, 0, 0);
+  const auto truth = curvatures_of_graph(height);
   std::vector<std::array<double, 2>> curvatures;
   for (int i = 0; i < 3600; ++i) {
-    const double x = i % 60 - 30 + uniform(random), y = double(i / 60 - 30) + uniform(random);
-    const double z = 0.6 * s * std::exp(-(x * x + y * y) / (2 * s * s)), z_x = -x / (s * s) * z, z_y = -y / (s * s) * z;
-    const double z_xx = (x * x / (s * s) - 1) / (s * s) * z, z_yy = (y * y / (s * s) - 1) / (s * s) * z;
-    const double z_xy = x * y / (s * s * s * s) * z, square = 1 + z_x * z_x + z_y * z_y, length = std::sqrt(square);
-    const double mean =
-        ((1 + z_y * z_y) * z_xx - 2 * z_x * z_y * z_xy + (1 + z_x * z_x) * z_yy) / (2 * square * length);
-    const double gauss = (z_xx * z_yy - z_xy * z_xy) / (square * square);
-    const double half = std::sqrt(std::max(0., mean * mean - gauss));
-    const Kernel::Vector_3 up(-z_x / length, -z_y / length, 1 / length);
+    const double x = i % 60 - 30 + uniform(random), y = double(i / 60 - 30) + uniform(random), z = height(x, y)[0];
+    const Curvatures k = truth(Point(x, y, z));
+    const Kernel::Vector_3 up(k.normal.x, k.normal.y, k.normal.z);
     if (std::hypot(x, y) < 3 * s) on_bump.push_back(points.size());
     points.emplace_back(Kernel::Point_3(x, y, z) + noise * normal(random) * up, up);
-    curvatures.push_back({mean + half, mean - half});
+    curvatures.push_back({k.k1, k.k2});
   }
   const auto error = [&](const std::vector<Form>& forms) {
     double squares = 0;
