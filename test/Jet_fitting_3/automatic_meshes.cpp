@@ -226,24 +226,11 @@ void isosurfaces()
   constexpr double half = 3.3;
   const auto torus_value = [](const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; };
   const auto ellipsoid_value = [](const Point& p) { return (p.x * p.x / 9 + p.y * p.y / 4 + p.z * p.z - 1) / 2; };
-  double product = 1;
-  const auto beside_fixed = [&](const auto& value, const Analytic_mesh& exact, int n, double noise) {
-    Noisy_mesh mesh(isosurface(value, exact.truth, half, n, noise), 0);
-    double best = std::numeric_limits<double>::infinity();
-    for (int rings : {3, 4, 6, 8})
-      for (std::size_t degree : {2u, 4u}) {
-        mesh.estimate(jets::k_rings(rings), degree);
-        best = (std::min)(best, mesh.rms_error());
-      }
-    mesh.estimate(jets::automatic(), 6);
-    const double ratio = mesh.rms_error() / best;
-    std::cout << "isosurface, " << exact.name << ", noise " << noise << ": " << ratio << '\n';
-    check_le(ratio, 1.2, "isosurface, " + exact.name + ", noise " + text(noise) + ", beside the best fixed choice");
-    product *= ratio;
-  };
-  beside_fixed(torus_value, torus(2, 1, 3, 3), 20, 0);
-  beside_fixed(torus_value, torus(2, 1, 3, 3), 20, 0.03);
-  beside_fixed(ellipsoid_value, ellipsoid(3, 2, 1, 1), 24, 0);
+  const auto torus_truth = torus(2, 1, 3, 3).truth, ellipsoid_truth = ellipsoid(3, 2, 1, 1).truth;
+  const double product =
+      beside_fixed_choices(isosurface(torus_value, torus_truth, half, 20, 0), 0, "isosurface, torus") *
+      beside_fixed_choices(isosurface(torus_value, torus_truth, half, 20, 0.03), 0, "isosurface, torus, noise") *
+      beside_fixed_choices(isosurface(ellipsoid_value, ellipsoid_truth, half, 24, 0), 0, "isosurface, ellipsoid");
   check_le(std::cbrt(product), 0.8, "isosurfaces, beside the best fixed choice");
 }
 

@@ -31,11 +31,11 @@ inline Analytic_mesh isosurface(const std::function<double(const Point&)>& funct
     return Point(2 * half * at[0] / n - half, 2 * half * at[1] / n - half, 2 * half * at[2] / n - half);
   };
   std::mt19937 random(4);
-  std::normal_distribution<double> error(0, noise);
+  std::normal_distribution<double> error;
   std::map<Node, double> values;
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j)
-      for (int k = 0; k <= n; ++k) values[{i, j, k}] = function(place({i, j, k})) + error(random);
+      for (int k = 0; k <= n; ++k) values[{i, j, k}] = function(place({i, j, k})) + noise * error(random);
 
   Analytic_mesh mesh;
   mesh.name = "isosurface";
@@ -44,7 +44,7 @@ inline Analytic_mesh isosurface(const std::function<double(const Point&)>& funct
   const auto vertex = [&](Node a, Node b) {
     if (b < a) std::swap(a, b);
     const auto found = numbers.emplace(std::pair(a, b), mesh.points.size());
-    const double share = values[a] / (values[a] - values[b]);
+    const double share = values.at(a) / (values.at(a) - values.at(b));
     if (found.second) mesh.points.push_back((1 - share) * place(a) + share * place(b));
     return found.first->second;
   };
@@ -55,7 +55,7 @@ inline Analytic_mesh isosurface(const std::function<double(const Point&)>& funct
   };
   const auto cut = [&](const std::array<Node, 4>& corners) {
     std::vector<Node> in, out;
-    for (const Node& corner : corners) (values[corner] < 0 ? in : out).push_back(corner);
+    for (const Node& corner : corners) (values.at(corner) < 0 ? in : out).push_back(corner);
     if (in.empty() || out.empty()) return;
     const Point outwards = place(out[0]) - place(in[0]);
     if (in.size() == 2) {
@@ -68,7 +68,7 @@ inline Analytic_mesh isosurface(const std::function<double(const Point&)>& funct
       add(vertex(in[0], out[0]), vertex(in[1], out[0]), vertex(in[2], out[0]), outwards);
     }
   };
-  for (const auto& known : std::map<Node, double>(values)) {
+  for (const auto& known : values) {
     const Node& at = known.first;
     if (*std::max_element(at.begin(), at.end()) == n) continue;
     std::array<std::size_t, 3> axes{0, 1, 2};
