@@ -105,6 +105,64 @@ void beside_fixed_choices(double noise)
   check_le(normals, 0.7 * best, "normals as data beside the best fixed choice without, noise " + text(noise));
 }
 
+// Depths along z at the pixels of an image of [-1.5, 1.5]^2, where there is a surface.
+// \param depth from the height, and the pixel
+template <class Depth>
+Cloud depth_image(std::size_t pixels, const Height_function& height, const Depth& depth)
+{
+  Cloud cloud;
+  const auto truth = curvatures_of_graph(height);
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t j = 0; j < pixels; ++j) {
+      const double x = 3 * (double(i) + 0.5) / double(pixels) - 1.5, y = 3 * (double(j) + 0.5) / double(pixels) - 1.5;
+      const double z = height(x, y)[0];
+      if (!std::isfinite(z)) continue;
+      const Curvatures k = truth(Point(x, y, z));
+      cloud.points.emplace_back(Kernel::Point_3(x, y, depth(z, i, j)), Kernel::Vector_3(0, 0, 1));
+      cloud.mean_curvature.push_back((k.k1 + k.k2) / 2);
+    }
+  return cloud;
+}
+
+// Errors of neighbors that are alike, as smoothing and rounding of depths leave them, are no shape of the surface.
+void errors_alike_at_neighbors()
+{
+  const Height_function waves = [](double x, double y) -> std::array<double, 6> {
+    const double z = .25 * std::sin(2.5 * x) * std::cos(2 * y), zx = .625 * std::cos(2.5 * x) * std::cos(2 * y);
+    const double zy = -.5 * std::sin(2.5 * x) * std::sin(2 * y), zxy = -1.25 * std::cos(2.5 * x) * std::sin(2 * y);
+    return {z, zx, zy, -6.25 * z, zxy, -4 * z};
+  };
+  const Height_function cap = [](double x, double y) -> std::array<double, 6> {
+    const double square = 1 - x * x - y * y, z = square > 0.09 ? std::sqrt(square) : std::nan("");
+    const double cube = z * z * z;
+    return {z, -x / z, -y / z, (y * y - 1) / cube, -x * y / cube, (x * x - 1) / cube};
+  };
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  constexpr std::size_t pixels = 60;
+  std::vector<double> white((pixels + 2) * (pixels + 2));
+  for (double& w : white) w = normal(random);
+  const auto smoothed = [&](double z, std::size_t i, std::size_t j) {
+    double sum = 0;
+    for (const std::size_t k : {0, 1, 2})
+      for (const std::size_t l : {0, 1, 2})
+        sum += double((1 + k % 2) * (1 + l % 2)) * white[(i + k) * (pixels + 2) + j + l];
+    return z + 0.01 * sum / 6;
+  };
+  constexpr std::size_t finer = 80;
+  const auto rounded = [](double z, std::size_t, std::size_t) { return std::round(z * finer / 3) * 3 / finer; };
+  const auto check = [](const Cloud& cloud, const std::string& name) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
+      for (const std::ptrdiff_t k : {40, 80, 160, 320})
+        best = std::min(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
+    check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud), 1.5 * best,
+             name + " beside the best fixed choice");
+  };
+  check(depth_image(pixels, waves, smoothed), "noise of depths that is smoothed");
+  check(depth_image(finer, cap, rounded), "depths rounded to the distance of pixels");
+}
+
 // Normals that were computed from the points say nothing new, and those that are far less exact than the points nothing
 // that is worth it: without noticing that errors are 2 to 20 times as large. Without noise the shape is most of what
 // fits leave, and may hide it.
@@ -700,6 +758,7 @@ void misuse()
 int main()
 {
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
+  errors_alike_at_neighbors();
   normals_left_aside();
   order_of_points();
   what_was_chosen();

@@ -211,10 +211,10 @@ struct Bias_bounds
 {
   double least = 0, seen = 0, likely = unknown, evidence = 0;
 
-  /// What a comparison proves.
-  void add(const Estimated& e)
+  /// What a comparison proves. \param of_reference what the reference may err by, beyond noise
+  void add(const Estimated& e, double of_reference = 0)
   {
-    least = std::max(least, e.value - constant::certain * e.error);
+    least = std::max(least, e.value - of_reference - constant::certain * e.error);
     if (e.error > 0) evidence = std::max(evidence, e.value / e.error);
   }
 };
@@ -239,10 +239,44 @@ inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch,
   return result;
 }
 
+/// How rough a surface looks to the references in balls of a shape: by how much each differs from the same degree in
+/// the next larger balls, beyond noise.
+class Roughness
+{
+  static constexpr std::size_t larger = 2; // balls
+
+public:
+  Roughness(const Patch_statistics& statistics, const Ladder& ladder, Shape shape, std::size_t end) : m_squares(end)
+  {
+    if (ladder.with_normals) return; // noise is told from normals: what small balls see is the surface
+    for (std::size_t k = ladder.first_reference; k < end; ++k)
+      for (std::size_t l = 1; l <= larger && k + l < end; ++l) {
+        const Estimated e = statistics.squared_bias({shape, 4, k + l}, {shape, 4, k});
+        if (e.error < unknown) m_squares[k][l - 1] = std::max(0., e.value);
+      }
+  }
+
+  /// What a reference may err by, beyond noise, where neighbors have errors alike, as rounding or smoothing of depths
+  /// leaves them: of such errors balls that are little larger have hardly any left, and differ by nearly all of them.
+  /// Of a bias, which grows with r^4, these balls have .13 or less.
+  /// \param end of the rungs below the one that is compared \param square of the difference that is found
+  double squared_error(std::size_t k, std::size_t end, double square) const
+  {
+    constexpr double part = 0.25, more = 3; // than balls differ by that share half of their samples
+    double most = 0;
+    for (std::size_t l = 1; l <= larger && k + l < end; ++l) most = std::max(most, m_squares[k][l - 1]);
+    return more * std::max(0., most - part * std::max(0., square));
+  }
+
+private:
+  std::vector<std::array<double, larger>> m_squares; // by rung
+};
+
 /// A degree of 2 or 3 is compared with degree 4 in its own ball; degree 4 with itself in the next smaller ball, whose
 /// bias it shares: of C r^4, a difference of C (r^4 - r_k^4) is seen.
 inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder& ladder,
-                               const std::vector<double>& radii, const Patch_statistics::Fit& fit)
+                               const std::vector<double>& radii, const Patch_statistics::Fit& fit,
+                               const Roughness& roughness)
 {
   Bias_bounds bounds;
   const std::size_t end = fit.degree == 4 ? fit.rung : fit.rung + 1;
@@ -250,9 +284,10 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
     const Estimated e = statistics.squared_bias(fit, {fit.shape, 4, k});
     if (!(e.error < unknown)) continue;
     const double shared = fit.degree == 4 ? std::pow(1 - std::pow(radii[k] / radii[fit.rung], 4), 2) : 1;
-    bounds.add(e);
+    const double of_reference = roughness.squared_error(k, end, e.value);
+    bounds.add(e, of_reference);
     const bool is_last = k + 1 == end;
-    bounds.seen = std::max(bounds.seen, (e.value - e.error) / (is_last && shared > 0 ? shared : 1));
+    bounds.seen = std::max(bounds.seen, (e.value - of_reference - e.error) / (is_last && shared > 0 ? shared : 1));
     if (!is_last) continue;
     bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
     if (bounds.likely > 0) bounds.likely /= shared;
@@ -345,11 +380,12 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics& statistics, const Pat
   Bias_in_shape result;
   const bool has_ellipse = ladder.with_normals && shape != long_shape(target);
   const std::vector<double> radii = effective_radii(patch, ladder, shape, end);
+  const Roughness roughness(statistics, ladder, shape, end);
   for (std::size_t degree = 2; degree <= highest_nested_degree; ++degree) {
     if (!is_candidate(target, degree)) continue;
     std::vector<Bias_bounds> bounds(end);
     for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {
-      bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j});
+      bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j}, roughness);
       if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
     }
     result[degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
