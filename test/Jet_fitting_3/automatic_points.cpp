@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <random>
@@ -90,15 +91,22 @@ jets::Options with_normals()
   return options;
 }
 
+// The least of some fixed choices, which nobody knows without the truth.
+double best_fixed_error(const Cloud& cloud, std::initializer_list<std::ptrdiff_t> counts)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
+    for (const std::ptrdiff_t k : counts)
+      best = std::min(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
+  return best;
+}
+
 // Nothing chosen by hand is as good as half of what the best of these fixed choices is wrong by; automatic() is near
 // it.
 void beside_fixed_choices(double noise)
 {
   const Cloud cloud = noisy_torus(4000, noise);
-  double best = 1e9;
-  for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
-    for (std::ptrdiff_t k : {20, 40, 80, 160, 320})
-      best = (std::min)(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
+  const double best = best_fixed_error(cloud, {20, 40, 80, 160, 320});
   const double chosen = rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud);
   check_le(chosen, 1.3 * best, "positions only beside the best fixed choice, noise " + text(noise));
   const double normals = rms_error(forms_of(cloud.points, jets::automatic(), 4, with_normals()), cloud);
@@ -152,12 +160,8 @@ void errors_alike_at_neighbors()
   constexpr std::size_t finer = 80;
   const auto rounded = [](double z, std::size_t, std::size_t) { return std::round(z * finer / 3) * 3 / finer; };
   const auto check = [](const Cloud& cloud, const std::string& name) {
-    double best = std::numeric_limits<double>::infinity();
-    for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
-      for (const std::ptrdiff_t k : {40, 80, 160, 320})
-        best = std::min(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
-    check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud), 1.5 * best,
-             name + " beside the best fixed choice");
+    check_le(rms_error(forms_of(cloud.points, jets::automatic(), 4), cloud),
+             1.5 * best_fixed_error(cloud, {40, 80, 160, 320}), name + " beside the best fixed choice");
   };
   check(depth_image(pixels, waves, smoothed), "noise of depths that is smoothed");
   check(depth_image(finer, cap, rounded), "depths rounded to the distance of pixels");

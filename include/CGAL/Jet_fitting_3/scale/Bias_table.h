@@ -211,10 +211,13 @@ struct Bias_bounds
 {
   double least = 0, seen = 0, likely = unknown, evidence = 0;
 
-  /// What a comparison proves. \param of_reference what the reference may err by, beyond noise
-  void add(const Estimated& e, double of_reference = 0)
+  /// What a comparison proves and shows. \param of_reference what the reference may err by, beyond noise
+  /// \param shared the part of the squared bias that shows, as the reference has some of it
+  void add(const Estimated& e, double of_reference = 0, double shared = 1)
   {
-    least = std::max(least, e.value - of_reference - constant::certain * e.error);
+    const double square = e.value - of_reference;
+    least = std::max(least, square - constant::certain * e.error);
+    seen = std::max(seen, (square - e.error) / shared);
     if (e.error > 0) evidence = std::max(evidence, e.value / e.error);
   }
 };
@@ -284,10 +287,8 @@ inline Bias_bounds bias_bounds(const Patch_statistics& statistics, const Ladder&
     const Estimated e = statistics.squared_bias(fit, {fit.shape, 4, k});
     if (!(e.error < unknown)) continue;
     const double shared = fit.degree == 4 ? std::pow(1 - std::pow(radii[k] / radii[fit.rung], 4), 2) : 1;
-    const double of_reference = roughness.squared_error(k, end, e.value);
-    bounds.add(e, of_reference);
     const bool is_last = k + 1 == end;
-    bounds.seen = std::max(bounds.seen, (e.value - of_reference - e.error) / (is_last && shared > 0 ? shared : 1));
+    bounds.add(e, roughness.squared_error(k, end, e.value), is_last && shared > 0 ? shared : 1);
     if (!is_last) continue;
     bounds.likely = std::max(0., e.value) + constant::cautious * e.error;
     if (bounds.likely > 0) bounds.likely /= shared;
@@ -304,7 +305,6 @@ inline void compare_with_ellipse(const Patch_statistics& statistics, Shape shape
   const Estimated e = statistics.squared_bias(fit, {shape, 4, fit.rung});
   if (!(e.error < unknown)) return;
   bounds.add(e);
-  bounds.seen = std::max(bounds.seen, e.value - e.error);
   bounds.likely = std::max({bounds.likely, e.value, bounds.least});
 }
 
