@@ -54,7 +54,7 @@ Noise noise_of_points(const PointRange& points, const NamedParameters& np)
   const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
   const Unit_normals normals = given.value_or(Unit_normals()).reordered(tables.samples.tree().numbers());
   const Unit_cloud<Kernel> samples(tables, normals);
-  return in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()), samples.per_length());
+  return in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()).noise, samples.per_length());
 }
 
 template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
@@ -96,8 +96,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 ///        have any length; those that are zero or not finite are left out
 /// \return standard deviations, in the unit of the coordinates and in radians, with errors; those in the middle where
 ///         they differ over the surface. Where the surface is not smooth on the scale of a few edges, or of 45 points,
-///         what cannot be told from noise counts as noise, and the error says so. Noise that is alike over four edges
-///         and more counts as surface
+///         what cannot be told from noise counts as noise, and the error says so. Of a mesh, noise that is alike over
+///         four edges and more counts as surface, of points one that is alike over five of their distances
 /// \throw Jet_fitting::Invalid_input if there are too few points, or too many of them coincide
 template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,
           class NamedParameters = parameters::Default_named_parameters>

@@ -68,7 +68,7 @@ public:
       m_places.push_back({m_cloud.points[places[k]], smallest_radius(ladder_of(choices[k]))});
     m_chosen.resize(places.size());
     for_each(places.size(), [&](std::size_t k) {
-      if (choices[k].is_chosen) m_chosen[k] = choose(fits, k, choices[k]);
+      if (choices[k].is_chosen) m_chosen[k] = choose(fits, k, choices[k], ladder_of(choices[k]).noise);
     });
   }
 
@@ -128,14 +128,16 @@ private:
   }
 
   // \param choice if it is of a degree of the ladder, the high one is to be better
-  Chosen choose(const std::vector<High_degree_fits>& fits, std::size_t k, const Point_scale& choice) const
+  Chosen choose(const std::vector<High_degree_fits>& fits, std::size_t k, const Point_scale& choice,
+                const Noise& noise) const
   {
+    const double least = least_residual(m_cloud, noise);
     const averaging::Near near = averaging::nearest_places(m_places, m_places[k], patch);
     Chosen best{{}, choice.frame.axes.x};
     if (!is_of_high_degree(choice)) best.degree.risk = risk_of_curvatures(choice);
     const int first = first_step(m_cloud.has_normals());
     for (int step = first; step < end_of_steps; ++step)
-      choose_degree(means(fits, near, std::size_t(step - first)), step, best.degree);
+      choose_degree(means(fits, near, std::size_t(step - first)), step, least, best.degree);
     return best;
   }
 

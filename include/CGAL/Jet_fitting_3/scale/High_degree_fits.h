@@ -224,12 +224,23 @@ means_of_degrees(const std::vector<const std::vector<Fitted_derivatives>*>& of_p
   return result;
 }
 
-/// Takes a degree above those of the ladder, if there is one of a lower risk.
-inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int step, High_degree& best)
+/// The variance of heights that a fit leaves at least where there is noise, with a margin for its error and for few
+/// samples: a fit that leaves less follows the noise. Where normals are data none is known.
+inline double least_residual(const Cloud& cloud, const Noise& noise)
+{
+  constexpr double margin = 0.5;
+  if (cloud.has_normals()) return 0;
+  const double least = margin * std::max(0., noise.position - noise.position_error);
+  return least * least;
+}
+
+/// Takes a degree above those of the ladder, if there is one of a lower risk that leaves enough.
+inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int step, double least_residual,
+                          High_degree& best)
 {
   for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
     const High_degree_means& m = of_degrees[d];
-    if (m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
+    if (m.residual >= least_residual && m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
   }
 }
 

@@ -60,14 +60,16 @@ std::optional<Detail> detail_at(const Cloud& cloud, const Near& near, const Loca
   const High_degree_fits fits = fits_of_high_degrees(cloud, near(), local.frame, ladder, end, highest);
   if (fits[0].empty()) return std::nullopt;
   const double of_ladder = fits[0][highest_nested_degree / 2 - 1].residual;
+  const double least = least_residual(cloud, ladder.noise);
   double noise = of_ladder;
   Detail detail;
   for (std::size_t j = 0; j < fits.size(); ++j) {
     if (fits[j].empty()) continue;
     for (std::size_t d = highest_nested_degree / 2; d < fits[j].size(); ++d)
       noise = std::min(noise, fits[j][d].residual * (1 + certain * std::sqrt(2 / fits[j][d].freedom)));
-    choose_degree(means_of_degrees({&fits[j]}), int(j), detail.degree);
+    choose_degree(means_of_degrees({&fits[j]}), int(j), least, detail.degree);
   }
+  noise = std::max(noise, least);
   if (!(noise < much_less * of_ladder)) return std::nullopt;
   detail.noise = misfit(local, first) * noise / of_ladder;
   return detail;
