@@ -257,7 +257,7 @@ std::optional<Estimated_variance> variance_alike_at_neighbors(const At& at, doub
   }
   if (!is_seen || !(grows < most_at_last)) return std::nullopt;
   const Estimated_variance& largest = of_larger.heights;
-  const double missing = (largest.value - of_balls.heights.value) / (ladder_step - 1);
+  const double missing = std::max(0., largest.value - of_balls.heights.value) / (ladder_step - 1);
   return Estimated_variance{largest.value + missing, std::hypot(largest.error, missing)};
 }
 
