@@ -234,13 +234,12 @@ inline double least_residual(const Cloud& cloud, const Noise& noise)
   return least * least;
 }
 
-/// Takes a degree above those of the ladder, if there is one of a lower risk that leaves enough.
-inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int step, double least_residual,
-                          High_degree& best)
+/// Takes a degree above those of the ladder, if there is one of a lower risk. \param least see least_residual()
+inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int step, double least, High_degree& best)
 {
   for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
     const High_degree_means& m = of_degrees[d];
-    if (m.residual >= least_residual && m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
+    if (m.residual >= least && m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
   }
 }
 

@@ -299,17 +299,14 @@ Noise_of_cloud estimate_noise(const Cloud& cloud, const Within& within, const In
   const auto bias = [](const Estimated_variance& first, const Estimated_variance& own, const Estimated_variance& next) {
     return std::hypot(own.value - first.value, misfit(own, next, ladder_step));
   };
-  Noise_of_cloud result;
-  Noise& noise = result.noise;
-  set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
-  if (const auto alike = variance_alike_at_neighbors(at, factor, v, larger)) {
-    set_noise(*alike, 0, noise.position, noise.position_error);
-    result.is_alike = true;
-  }
+  Noise noise;
+  const auto alike = variance_alike_at_neighbors(at, factor, v, larger);
+  if (alike) set_noise(*alike, 0, noise.position, noise.position_error);
+  else set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
   const bool is_overall = factor > least_factor && v.part > 0.5;
   if (is_overall || !v.look_flat) noise.position_error = std::max(noise.position_error, noise.position);
   set_noise(v.slopes, bias(least.slopes, v.slopes, larger.slopes), noise.normal, noise.normal_error);
-  return result;
+  return {noise, alike.has_value()};
 }
 
 /// In the smallest balls that will do. \throw Invalid_input if there are too few points
