@@ -15,9 +15,9 @@
 #   optional    all, or none: without TBB and LAPACK
 #   programs    yes: also CGAL's own programs, on its header and on ours
 # Each pair of two settings (programs apart) occurs in at least one row of "all", and no row could be left out;
-# "subset" is the rows marked with *.
+# "subset" is the rows that are marked: with "class" the tests of the class, with "program" that of the program as well.
 rows='
-sid     clang++ 17 native none off yes *
+sid     clang++ 17 native none off yes program
 trixie  g++     17 plain  all  on  yes
 system  clang++ 20 O2     all  off no
 sid     g++     20 O2     all  on  no
@@ -26,7 +26,7 @@ system  g++     17 native all  on  yes
 sid     clang++ 20 plain  all  on  no
 trixie  g++     20 O0     none off no
 system  clang++ 17 O0     all  on  no
-trixie  clang++ 17 O2     none on  no  *
+trixie  clang++ 17 O2     none on  no  class
 sid     g++     17 O0     all  off no
 system  clang++ 20 plain  none off yes
 '
@@ -124,13 +124,19 @@ take_share() {
   tests="$tests-)\$"
 }
 
+# Sets targets and tests to what a row of the subset has by its mark.
+take_subset() {
+  targets='test_drop_in_interface test_kernels_and_traits test_packs'
+  tests='^(drop_in_interface|kernels_and_traits|packs)$'
+  [ "$mark" != program ] || {
+    targets="$targets test_mesh_estimation_tool Mesh_estimation"
+    tests='^(drop_in_interface|kernels_and_traits|packs|mesh_estimation_tool)$'
+  }
+}
+
 wanted=${1:-all}
 targets=
 tests=.
-if [ "$wanted" = subset ]; then
-  targets='test_drop_in_interface test_kernels_and_traits test_packs test_mesh_estimation_tool Mesh_estimation'
-  tests='^(drop_in_interface|kernels_and_traits|packs|mesh_estimation_tool)$'
-fi
 failed=0
 done=0
 case $wanted in
@@ -152,7 +158,10 @@ while read -r suite compiler standard flags optional assertions programs mark; d
   name=$suite-$compiler-$standard-$flags-$optional-$assertions
   case $wanted in
     all | spread) ;;
-    subset) [ "$mark" = '*' ] || continue ;;
+    subset)
+      [ -n "$mark" ] || continue
+      take_subset
+      ;;
     *) case $name in *"$wanted"*) ;; *) continue ;; esac ;;
   esac
   line="$compiler $standard $flags $optional $assertions $programs"

@@ -29,32 +29,66 @@ inline double derivative_factor(std::size_t order, std::size_t j)
   return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
 }
 
-/// What a row answers to the terms of an order above the degree.
-inline void add_responses(const Moments& moments, std::size_t degree, std::size_t order, Estimate_row& row)
+/// The sums over samples of a polynomial times each x^(order - l) y^l, from the moments of the samples.
+inline std::array<double, highest_order + 1> products(const Moments::Terms& moments, const Coefficients& polynomial,
+                                                      std::size_t degree, std::size_t order)
 {
+  std::array<double, highest_order + 1> result{};
   for (std::size_t l = 0; l <= order; l += 2 * lanes) {
     Lanes first = 0, second = 0;
     for (std::size_t k = 0, a = 0; k <= degree; ++k)
       for (std::size_t i = 0; i <= k; ++i, ++a) {
-        const double* terms = &moments.terms[term_index(order + k, l + i)];
-        const Lanes of_moment = row.of_moments[a];
-        first = first + of_moment * Lanes::load(terms);
-        second = second + of_moment * Lanes::load(terms + lanes);
+        const double* terms = &moments[term_index(order + k, l + i)];
+        const Lanes coefficient = polynomial[a];
+        first = first + coefficient * Lanes::load(terms);
+        second = second + coefficient * Lanes::load(terms + lanes);
       }
     for (std::size_t j = 0; j < 2 * lanes && l + j <= order; ++j)
-      row.responses[term_index(order, l + j)] = j < lanes ? first[int(j)] : second[int(j - lanes)];
+      result[l + j] = j < lanes ? first[int(j)] : second[int(j - lanes)];
+  }
+  return result;
+}
+
+/// The derivatives of a polynomial.
+struct Gradient
+{
+  Coefficients x{}, y{};
+};
+
+inline Gradient gradient(const Coefficients& polynomial, std::size_t degree)
+{
+  Gradient result;
+  for (std::size_t k = 1; k <= degree; ++k)
+    for (std::size_t i = 0; i <= k; ++i) {
+      const double coefficient = polynomial[term_index(k, i)];
+      if (i < k) result.x[term_index(k - 1, i)] = double(k - i) * coefficient;
+      if (i > 0) result.y[term_index(k - 1, i - 1)] = double(i) * coefficient;
+    }
+  return result;
+}
+
+/// What a row answers to the terms above the degree.
+inline void add_responses(const Moments& moments, std::size_t degree, Estimate_row& row)
+{
+  for (std::size_t order = degree + 1; order <= highest_order; ++order) {
+    const auto of_order = products(moments.terms, row.of_moments, degree, order);
+    std::copy_n(of_order.begin(), order + 1, &row.responses[term_index(order, 0)]);
   }
 }
 
 /// What a row answers to the slopes of terms above the degree.
 inline void add_responses_of_slopes(const Moments& moments, std::size_t degree, Estimate_row& row)
 {
-  for (std::size_t k = 1; k <= degree; ++k)
-    for (std::size_t i = 0; i <= k; ++i)
-      for (std::size_t high = degree + 1; high <= highest_order; ++high)
-        for (std::size_t l = 0; l <= high; ++l)
-          row.responses[term_index(high, l)] +=
-              row.of_moments[term_index(k, i)] * moments.product_of_gradients(high, l, k, i);
+  const Gradient of_row = gradient(row.of_moments, degree);
+  for (std::size_t order = degree + 1; order <= highest_order; ++order) {
+    const auto of_x = products(moments.terms_of_slopes(), of_row.x, degree - 1, order - 1);
+    const auto of_y = products(moments.terms_of_slopes(), of_row.y, degree - 1, order - 1);
+    double* responses = &row.responses[term_index(order, 0)];
+    for (std::size_t l = 0; l < order; ++l) {
+      responses[l] += moments.slope_weight * double(order - l) * of_x[l];
+      responses[l + 1] += moments.slope_weight * double(l + 1) * of_y[l];
+    }
+  }
 }
 
 /// The row for the j-th derivative of this order.
@@ -67,7 +101,7 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
   row.of_moments = matrix.column(order, j);
   for (double& m : row.of_moments) m *= factor;
   row.responses[own] = factor;
-  for (std::size_t high = degree + 1; high <= highest_order; ++high) add_responses(moments, degree, high, row);
+  add_responses(moments, degree, row);
   if (moments.slope_weight > 0) add_responses_of_slopes(moments, degree, row);
   return row;
 }

@@ -59,7 +59,7 @@ inline Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder&
 struct Learned_choice
 {
   Bias_table table;
-  std::vector<double> misfits; ///< that are usual, see usual_misfits()
+  std::vector<double> misfits; ///< that are usual, see usual_misfits(); none with normals
   Chosen_nearby chosen;
   Wanted_rungs wanted; ///< what is worth a look nearby
 };
@@ -155,7 +155,7 @@ Learned_choice learned_choice(const Cloud& cloud, const Near& near, const Patch_
 {
   Learned_choice learned;
   learned.table = bias_table(patch, ladder, end);
-  learned.misfits = usual_misfits(patch, end);
+  if (!cloud.has_normals()) learned.misfits = usual_misfits(patch, end);
   Point_scale scale = own_choice(cloud, near, local, learned.table, learned.misfits, ladder, end, highest);
   if (is_of_high_degree(scale)) scale = choose(local, learned.table, ladder);
   else learned.chosen = chosen_nearby(scale, local);

@@ -77,7 +77,7 @@ std::optional<Detail> detail_at(const Cloud& cloud, const Near& near, const Loca
 
 /// The choice at a point by the bias that others have, and by what its own fits leave: a detail that is unlike what is
 /// around, as a bump in a plane, shows in no patch. Not where normals are data.
-/// \param usual misfits, see usual_misfits()
+/// \param usual misfits, see usual_misfits(); none are needed with normals
 /// \param near, highest see detail_at()
 /// \param end of the rungs
 template <class Near>
