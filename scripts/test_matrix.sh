@@ -127,11 +127,12 @@ take_share() {
 # Sets targets and tests to what a row of the subset has by its mark.
 take_subset() {
   targets='test_drop_in_interface test_kernels_and_traits test_packs'
-  tests='^(drop_in_interface|kernels_and_traits|packs)$'
-  [ "$mark" != program ] || {
+  tests='drop_in_interface|kernels_and_traits|packs'
+  if [ "$mark" = program ]; then
     targets="$targets test_mesh_estimation_tool Mesh_estimation"
-    tests='^(drop_in_interface|kernels_and_traits|packs|mesh_estimation_tool)$'
-  }
+    tests="$tests|mesh_estimation_tool"
+  fi
+  tests="^($tests)\$"
 }
 
 wanted=${1:-all}

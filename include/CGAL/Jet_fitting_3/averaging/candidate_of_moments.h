@@ -129,12 +129,21 @@ inline Coefficients without_defect(const Moments& moments, std::size_t degree,
   return heights;
 }
 
-/// What the tangential parts of normals are more than the gradient of z (1 + n_z) / 2, by terms of the latter up to an
-/// order, 4 at most. To third order these are the potential's of the Gauss map.
-inline numeric::Vector_field<double> defect_of_slopes(numeric::Power_series<double> phi, std::size_t known)
+/// The terms from order 1 up to one, as a series with room for higher ones.
+inline numeric::Power_series<double> series(const Coefficients& terms, std::size_t order, std::size_t highest)
 {
+  numeric::Power_series<double> result(1, highest);
+  for (std::size_t k = 1; k <= order; ++k) std::copy_n(&terms[term_index(k, 0)], k + 1, result.order(k));
+  return result;
+}
+
+/// What the tangential parts of normals are more than the gradient of z (1 + n_z) / 2, up to an order, by terms of the
+/// latter up to another, 4 at most. To third order these are the potential's of the Gauss map.
+inline numeric::Vector_field<double> defect_of_slopes(const Coefficients& terms, std::size_t known, std::size_t order)
+{
+  numeric::Power_series<double> phi = series(terms, known, order + 1);
   if (known == 4) {
-    const Gauss_map_defect<double> of_third_order = gauss_map_defect(phi);
+    const Gauss_map_defect<double> of_third_order = gauss_map_defect(series(terms, known, known));
     for (std::size_t i = 0; i <= 4; ++i) phi.order(4)[i] -= of_third_order.heights.order(4)[i];
   }
   Gauss_map_defect<double> defect = gauss_map_defect(phi);
@@ -160,11 +169,9 @@ inline std::optional<Coefficients> solution_for_potential(const Moments& moments
   constexpr double rounding = 1e-8; // of squares
   double first = 0;
   for (std::size_t pass = 0; pass < degree / 2; ++pass) {
-    numeric::Power_series<double> phi(1, order_of_slopes + 1);
-    for (std::size_t k = 1; k <= known; ++k) std::copy_n(&solution[term_index(k, 0)], k + 1, phi.order(k));
     const Coefficients before = solution;
-    solution = matrix.solution(without_defect(moments, degree, defect_of_slopes(phi, known), order_of_slopes),
-                               std::max(known, order));
+    const numeric::Vector_field<double> defect = defect_of_slopes(before, known, order_of_slopes);
+    solution = matrix.solution(without_defect(moments, degree, defect, order_of_slopes), std::max(known, order));
     double change = 0, size = 0, size_before = 0;
     for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) {
       change += (solution[t] - before[t]) * (solution[t] - before[t]);
