@@ -29,11 +29,14 @@ inline double derivative_factor(std::size_t order, std::size_t j)
   return factorial(order - j) * factorial(j) * std::sqrt(binomial(order, j));
 }
 
-/// The sums over samples of a polynomial times each x^(order - l) y^l, from the moments of the samples.
-inline std::array<double, highest_order + 1> products(const Moments::Terms& moments, const Coefficients& polynomial,
-                                                      std::size_t degree, std::size_t order)
+/// A number for each x^(order - l) y^l.
+using Of_terms = std::array<double, highest_order + 1>;
+
+/// The sums over samples of a polynomial times each term of an order, from the moments of the samples.
+/// \param polynomial its coefficients, in the order of term_index()
+inline Of_terms products(const Moments::Terms& moments, const double* polynomial, std::size_t degree, std::size_t order)
 {
-  std::array<double, highest_order + 1> result{};
+  Of_terms result{};
   for (std::size_t l = 0; l <= order; l += 2 * lanes) {
     Lanes first = 0, second = 0;
     for (std::size_t k = 0, a = 0; k <= degree; ++k)
@@ -49,21 +52,23 @@ inline std::array<double, highest_order + 1> products(const Moments::Terms& mome
   return result;
 }
 
-/// The derivatives of a polynomial.
-struct Gradient
+/// The same of a field times the gradient of each term.
+inline Of_terms products_with_gradients(const Moments::Terms& moments, const numeric::Vector_field<double>& field,
+                                        std::size_t degree, std::size_t order)
 {
-  Coefficients x{}, y{};
-};
+  const Of_terms of_x = products(moments, field.x.order(0), degree, order - 1),
+                 of_y = products(moments, field.y.order(0), degree, order - 1);
+  Of_terms result{};
+  for (std::size_t l = 0; l <= order; ++l)
+    result[l] = (l < order ? double(order - l) * of_x[l] : 0) + (l > 0 ? double(l) * of_y[l - 1] : 0);
+  return result;
+}
 
-inline Gradient gradient(const Coefficients& polynomial, std::size_t degree)
+/// The terms from order 1 up to one, as a series with room for higher ones.
+inline numeric::Power_series<double> series(const Coefficients& terms, std::size_t order, std::size_t highest)
 {
-  Gradient result;
-  for (std::size_t k = 1; k <= degree; ++k)
-    for (std::size_t i = 0; i <= k; ++i) {
-      const double coefficient = polynomial[term_index(k, i)];
-      if (i < k) result.x[term_index(k - 1, i)] = double(k - i) * coefficient;
-      if (i > 0) result.y[term_index(k - 1, i - 1)] = double(i) * coefficient;
-    }
+  numeric::Power_series<double> result(1, highest);
+  for (std::size_t k = 1; k <= order; ++k) std::copy_n(&terms[term_index(k, 0)], k + 1, result.order(k));
   return result;
 }
 
@@ -71,7 +76,7 @@ inline Gradient gradient(const Coefficients& polynomial, std::size_t degree)
 inline void add_responses(const Moments& moments, std::size_t degree, Estimate_row& row)
 {
   for (std::size_t order = degree + 1; order <= highest_order; ++order) {
-    const auto of_order = products(moments.terms, row.of_moments, degree, order);
+    const Of_terms of_order = products(moments.terms, row.of_moments.data(), degree, order);
     std::copy_n(of_order.begin(), order + 1, &row.responses[term_index(order, 0)]);
   }
 }
@@ -79,15 +84,10 @@ inline void add_responses(const Moments& moments, std::size_t degree, Estimate_r
 /// What a row answers to the slopes of terms above the degree.
 inline void add_responses_of_slopes(const Moments& moments, std::size_t degree, Estimate_row& row)
 {
-  const Gradient of_row = gradient(row.of_moments, degree);
+  const numeric::Vector_field<double> of_row = numeric::gradient(series(row.of_moments, degree, degree));
   for (std::size_t order = degree + 1; order <= highest_order; ++order) {
-    const auto of_x = products(moments.terms_of_slopes(), of_row.x, degree - 1, order - 1);
-    const auto of_y = products(moments.terms_of_slopes(), of_row.y, degree - 1, order - 1);
-    double* responses = &row.responses[term_index(order, 0)];
-    for (std::size_t l = 0; l < order; ++l) {
-      responses[l] += moments.slope_weight * double(order - l) * of_x[l];
-      responses[l + 1] += moments.slope_weight * double(l + 1) * of_y[l];
-    }
+    const Of_terms of_order = products_with_gradients(moments.terms_of_slopes(), of_row, degree - 1, order);
+    for (std::size_t l = 0; l <= order; ++l) row.responses[term_index(order, l)] += moments.slope_weight * of_order[l];
   }
 }
 
@@ -115,26 +115,11 @@ inline Coefficients without_defect(const Moments& moments, std::size_t degree,
                                    const numeric::Vector_field<double>& defect, std::size_t order)
 {
   Coefficients heights = moments.heights;
-  const Moments::Terms& terms = moments.terms_of_slopes();
-  for (std::size_t k = 1; k <= degree; ++k)
-    for (std::size_t j = 0; j <= k; ++j) {
-      double of_x = 0, of_y = 0;
-      for (std::size_t l = 0; l <= order; ++l)
-        for (std::size_t i = 0; i <= l; ++i) {
-          if (j < k) of_x += defect.x.order(l)[i] * terms[term_index(k - 1 + l, j + i)];
-          if (j > 0) of_y += defect.y.order(l)[i] * terms[term_index(k - 1 + l, j - 1 + i)];
-        }
-      heights[term_index(k, j)] -= moments.slope_weight * (double(k - j) * of_x + double(j) * of_y);
-    }
+  for (std::size_t k = 1; k <= degree; ++k) {
+    const Of_terms of_order = products_with_gradients(moments.terms_of_slopes(), defect, order, k);
+    for (std::size_t j = 0; j <= k; ++j) heights[term_index(k, j)] -= moments.slope_weight * of_order[j];
+  }
   return heights;
-}
-
-/// The terms from order 1 up to one, as a series with room for higher ones.
-inline numeric::Power_series<double> series(const Coefficients& terms, std::size_t order, std::size_t highest)
-{
-  numeric::Power_series<double> result(1, highest);
-  for (std::size_t k = 1; k <= order; ++k) std::copy_n(&terms[term_index(k, 0)], k + 1, result.order(k));
-  return result;
 }
 
 /// What the tangential parts of normals are more than the gradient of z (1 + n_z) / 2, up to an order, by terms of the
