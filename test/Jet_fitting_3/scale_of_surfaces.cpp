@@ -137,7 +137,7 @@ void squares_do_not_depend_on_axes()
 double first_of(double a, double b, double angle, const std::array<double, 3>& others)
 {
   const std::array<double, 3> q = scale::turn({a, 0, b}, std::cos(angle), std::sin(angle));
-  const auto [cosine, sine] = scale::principal_axis_as(others, q);
+  const auto [cosine, sine] = scale::turn_to_principal_direction_as(others, q);
   return scale::turn(q, cosine, sine)[0];
 }
 

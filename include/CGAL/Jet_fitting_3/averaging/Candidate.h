@@ -77,6 +77,20 @@ inline double square_of_values(const Candidate& candidate)
   return sum;
 }
 
+/// z_xx, sqrt(2) z_xy, z_yy, as those of order 2 have them.
+inline std::array<double, 3> second_derivatives(const Candidate& candidate)
+{
+  return {candidate.values[0], candidate.values[1], candidate.values[2]};
+}
+
+/// The sum of the squares by which second derivatives differ.
+inline double squared_distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
 /// Some of the rows: all, or one component.
 struct Target
 {

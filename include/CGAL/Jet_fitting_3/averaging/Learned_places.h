@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -172,9 +171,9 @@ Learned_places learn_disks(const Second_order_fits<Neighbors>& fits, const std::
   return learned;
 }
 
-inline void take_axes(Learned_place& place, const std::pair<double, double>& axis)
+inline void take_axes(Learned_place& place, const numeric::Turn& to)
 {
-  const auto [cosine, sine] = axis;
+  const auto [cosine, sine] = to;
   place.frame.axes = turned_axes(place.frame.axes, cosine, sine);
   place.q = turn(place.q, cosine, sine);
   for (Candidate& candidate : place.candidates[0]) turn(candidate, cosine, sine);
@@ -185,10 +184,11 @@ inline void take_principal_axes(Learned_places& learned)
 {
   constexpr std::size_t places_per_model = Learned_places::places_per_model;
   for (std::size_t k = 0; k < learned.places.size(); k += places_per_model)
-    take_axes(learned.places[k], principal_axis(learned.places[k].q));
+    take_axes(learned.places[k], numeric::turn_to_principal_direction(learned.places[k].q));
   for (std::size_t k = 0; k < learned.places.size(); ++k)
     if (k % places_per_model > 0)
-      take_axes(learned.places[k], principal_axis_as(learned.place_of(learned.places[k].model).q, learned.places[k].q));
+      take_axes(learned.places[k],
+                turn_to_principal_direction_as(learned.place_of(learned.places[k].model).q, learned.places[k].q));
 }
 
 /// Candidates of all shapes in principal axes, and what comparing them says of each component.

@@ -105,7 +105,7 @@ public:
     }
     result.exists = true;
     std::array<double, 3> q = mean(candidates[0], in_disks);
-    const auto [cosine, sine] = principal_axis_as(place.q, q);
+    const auto [cosine, sine] = turn_to_principal_direction_as(place.q, q);
     result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
     q = turn(q, cosine, sine);
     set_slopes(result, place, candidates[0], cosine, sine);
@@ -135,10 +135,9 @@ private:
     constexpr double much = 25; // variances; with 10 single vertices of spheres are taken for unlike, with 14 of tubes
     return std::any_of(place.references.begin(), place.references.end(), [&](std::size_t c) {
       const Candidate& reference = references[c];
-      double square = 0;
-      for (std::size_t t = 0; t < q.size(); ++t) square += std::pow(reference.values[t] - q[t], 2);
       return reference &&
-             square > uncertain_bias * choice.squared_bias + much * m_fits.square_of_noise(i) * reference.variance;
+             squared_distance(second_derivatives(reference), q) >
+                 uncertain_bias * choice.squared_bias + much * m_fits.square_of_noise(i) * reference.variance;
     });
   }
 

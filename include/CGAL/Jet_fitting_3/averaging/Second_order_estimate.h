@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/averaging/candidate_of_moments.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
+#include <CGAL/Jet_fitting_3/numeric/Turn.h>
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/binary_form.h>
 #include <CGAL/Jet_fitting_3/values/Basis_3.h>
@@ -74,15 +75,6 @@ struct Second_order_estimate
   double risk() const { return variance() + squared_bias(); }
 };
 
-/// Cosine and sine of the turn to principal axes of (z_xx, sqrt(2) z_xy, z_yy), the larger one in size first.
-inline std::pair<double, double> principal_axis(const std::array<double, 3>& q)
-{
-  // the first axis is that of the larger curvature, or of the smaller one where that is larger in size
-  const double half_turn = q[0] + q[2] < 0 ? std::acos(-1.) / 2 : 0;
-  const double angle = 0.5 * std::atan2(std::sqrt(2.) * q[1], q[0] - q[2]) + half_turn;
-  return {std::cos(angle), std::sin(angle)};
-}
-
 /// Second derivatives in axes that are turned so.
 inline std::array<double, 3> turn(const std::array<double, 3>& q, double cosine, double sine)
 {
@@ -98,10 +90,10 @@ inline bool are_reversed(const std::array<double, 3>& q, const std::array<double
   return q[0] * q[2] < 0 && std::abs(q[2]) > similar * std::abs(q[0]) && q[0] * others[0] < 0;
 }
 
-/// As principal_axis(), but in the order of others in their principal axes.
-inline std::pair<double, double> principal_axis_as(const std::array<double, 3>& others, const std::array<double, 3>& q)
+/// To principal axes in the order of others in theirs.
+inline numeric::Turn turn_to_principal_direction_as(const std::array<double, 3>& others, const std::array<double, 3>& q)
 {
-  const auto [cosine, sine] = principal_axis(q);
+  const auto [cosine, sine] = numeric::turn_to_principal_direction(q);
   if (!are_reversed(turn(q, cosine, sine), others)) return {cosine, sine};
   return {-sine, cosine};
 }
@@ -132,7 +124,7 @@ inline void straighten(Second_order_estimate& e, std::array<double, 3>& q)
   const auto [c, d] = in_plane(old.y);
   const numeric::Second_derivatives_map straight = numeric::second_derivatives_map(a, b, c, d);
   q = straight(q);
-  const auto [cosine, sine] = principal_axis(q);
+  const auto [cosine, sine] = numeric::turn_to_principal_direction(q);
   const auto map = [&, cosine = cosine, sine = sine](const std::array<double, 3>& s) {
     return turn(straight(s), cosine, sine);
   };
@@ -209,14 +201,13 @@ Second_order_estimate estimate_of_rings(const Surface_points<Neighbors>& surface
   const auto fit_to = [&](std::size_t count) { return quadric_of(surface, result.frame, found, count, unit, height); };
   const Candidate fit = fit_to(ends[rings]), larger = fit_to(ends[rings + 1]);
   if (!fit || !std::isfinite(left)) return result;
-  std::array<double, 3> q{fit.values[0], fit.values[1], fit.values[2]};
+  std::array<double, 3> q = second_derivatives(fit);
   result.variances.fill(std::max(square_of_noise, left) * fit.variance / 3);
   const bool is_compared = larger && ends[rings + 1] > ends[rings];
-  double square = 0;
-  for (std::size_t k = 0; k < 3; ++k) square += std::pow((is_compared ? larger.values[k] : 0) - q[k], 2);
-  result.squared_biases.fill(square / 3);
+  const std::array<double, 3> other = is_compared ? second_derivatives(larger) : std::array<double, 3>{};
+  result.squared_biases.fill(squared_distance(q, other) / 3);
   result.errors.fill({result.variance(), result.squared_bias(), unlimited});
-  const auto [cosine, sine] = principal_axis(q);
+  const auto [cosine, sine] = numeric::turn_to_principal_direction(q);
   result.frame.axes = turned_axes(result.frame.axes, cosine, sine);
   q = turn(q, cosine, sine);
   result.x = cosine * fit.slopes[0] + sine * fit.slopes[1];

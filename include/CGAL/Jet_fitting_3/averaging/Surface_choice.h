@@ -116,9 +116,8 @@ private:
       const Choice &a = first.choice(k), &b = second.choice(k);
       if (!a.exists() || !b.exists()) continue;
       gain += std::log(a.risk() / b.risk());
-      double square = 0;
-      for (std::size_t i = 0; i < 3; ++i) square += std::pow(first.derivatives(k)[i] - second.derivatives(k)[i], 2);
-      differences.push_back(square / (2 * (a.variance + b.variance) + a.squared_bias + b.squared_bias));
+      differences.push_back(squared_distance(first.derivatives(k), second.derivatives(k)) /
+                            (2 * (a.variance + b.variance) + a.squared_bias + b.squared_bias));
     }
     if (differences.empty()) return false;
     const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -92,8 +93,9 @@ void add_promising(const Second_order_fits<Neighbors>& fits, Learned_place& plac
     place.promising[shape].add(fits.grid(), c);
 }
 
-/// Disks no larger than those chosen whose bias is at most twice the standard deviation: they tell a vertex whose
-/// surroundings are unlike those of the place. None where normals are data, of which some disks have few.
+/// Of each radius up to those chosen, the disk that noise moves least of those whose bias is at most twice the standard
+/// deviation: they tell a vertex whose surroundings are unlike those of the place. None where normals are data: then
+/// some disks have few of these.
 template <class Neighbors>
 std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
                                     const Learned_place& place)
@@ -102,13 +104,20 @@ std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, co
   std::vector<std::size_t> result;
   const Choice& choice = place.choices[together];
   if (!choice.exists() || fits.surface().given) return result;
-  const double square_of_radius = mean_scale(choice, fits.grid()).square_of_radius;
-  for (std::size_t c = 0; c < fits.grid().size(); ++c) {
-    const Candidate& candidate = place.candidates[0][c];
-    const double radius = fits.grid().radii[fits.grid().shell(c)];
-    if (!candidate || radius * radius > square_of_radius) continue;
-    const double bias = squared_bias(model.terms, Own_errors(candidate, targets_of_order_2[together]).terms);
-    if (bias <= most * fits.square_of_noise(place.vertex) * candidate.variance) result.push_back(c);
+  const Candidate_grid& grid = fits.grid();
+  const double square_of_radius = mean_scale(choice, grid).square_of_radius;
+  for (std::size_t j = 0; j < grid.radii.size() && grid.radii[j] * grid.radii[j] <= square_of_radius; ++j) {
+    double least = std::numeric_limits<double>::infinity(); // variance
+    std::size_t best = grid.size();
+    for (std::size_t c = j; c < grid.size(); c += grid.radii.size()) {
+      const Candidate& candidate = place.candidates[0][c];
+      if (!candidate || !(candidate.variance < least)) continue;
+      const double bias = squared_bias(model.terms, Own_errors(candidate, targets_of_order_2[together]).terms);
+      if (bias > most * fits.square_of_noise(place.vertex) * candidate.variance) continue;
+      least = candidate.variance;
+      best = c;
+    }
+    if (best < grid.size()) result.push_back(best);
   }
   return result;
 }

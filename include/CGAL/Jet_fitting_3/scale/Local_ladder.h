@@ -8,8 +8,8 @@
 #define CGAL_JET_FITTING_3_SCALE_LOCAL_LADDER_H
 
 #include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
+#include <CGAL/Jet_fitting_3/numeric/Turn.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
 #include <CGAL/Jet_fitting_3/scale/Surface_cut.h>
@@ -29,6 +29,8 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+using numeric::Turn;
 
 /// The fits of degrees 2, 3, 4 for one radius.
 struct Rung
@@ -340,18 +342,10 @@ inline std::vector<Rung> turned(const std::vector<Fits_of_radius>& fits, double 
   return rungs;
 }
 
-/// Cosine and sine of the angle from the x axis of a frame.
-struct Turn
-{
-  double cosine = 1, sine = 0;
-};
-
-/// To the principal direction of the larger curvature.
+/// To the principal direction of a fit of degree 2.
 inline Turn turn_to_principal_direction(const Second_order& pilot)
 {
-  const auto eigen = numeric::symmetric_eigen_2(pilot.value[2], std::sqrt(0.5) * pilot.value[3], pilot.value[4]);
-  if (std::abs(eigen.larger_value) >= std::abs(eigen.smaller_value)) return {eigen.x, eigen.y};
-  return {-eigen.y, eigen.x};
+  return numeric::turn_to_principal_direction({pilot.value[2], pilot.value[3], pilot.value[4]});
 }
 
 /// To what is seen of a direction in the tangent plane.

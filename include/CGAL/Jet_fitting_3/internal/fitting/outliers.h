@@ -11,11 +11,11 @@
 
 #include <CGAL/Jet_fitting_3/estimation.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/robust_quadric.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
-#include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 #include <CGAL/Jet_fitting_3/surface/jet_geometry.h>
 
 #include <algorithm>
@@ -48,11 +48,8 @@ bool is_first_outlier(Samples<double>& samples, const std::vector<Vector_3<doubl
 {
   constexpr double rounding = 1e-6,
                    most = 4.685 / 1.1774; // medians of the length of a vector with two normal components
-  Fit_options options;
-  options.loss = Loss::tukey;
-  const auto basis = [](const Samples<double>& s) { return fitting_basis(s); };
   const Samples<double> offsets = samples;
-  const Local_estimate<double> e = estimate(samples, 2, 2, basis, solver, options);
+  const Local_estimate<double> e = robust_quadric(samples, solver);
   if (e.fit.robust_weights[0] == 0 && std::abs(e.fit.jet(0, 0)) > rounding * radius) return true;
   std::vector<double> residuals;
   for (std::size_t k = 0; k < normals.size(); ++k) {

@@ -11,13 +11,12 @@
 
 #include <CGAL/Jet_fitting_3/averaging/Walker.h>
 #include <CGAL/Jet_fitting_3/averaging/far_differences.h>
-#include <CGAL/Jet_fitting_3/estimation.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/robust_quadric.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
-#include <CGAL/Jet_fitting_3/steps/fitting_basis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,10 +61,7 @@ double robust_height(const std::vector<Vector_3<double>>& places, Solver& solver
   samples.set(0, {0, 0, 0});
   samples.set_weight(0, 0);
   for (std::size_t k = 0; k < places.size(); ++k) samples.set(k + 1, places[k]);
-  Fit_options options;
-  options.loss = Loss::tukey;
-  const auto basis = [](const Samples<double>& s) { return fitting_basis(s); };
-  return estimate(samples, 2, 2, basis, solver, options).fit.jet(0, 0);
+  return robust_quadric(samples, solver).fit.jet(0, 0);
 }
 
 /// Looks at some vertices, by the rings around that have five times the unknowns of a robust fit. Vertices that are far
