@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -93,9 +92,9 @@ void add_promising(const Second_order_fits<Neighbors>& fits, Learned_place& plac
     place.promising[shape].add(fits.grid(), c);
 }
 
-/// Of each radius up to those chosen, the disk that noise moves least of those whose bias is at most twice the standard
-/// deviation: they tell a vertex whose surroundings are unlike those of the place. None where normals are data: then
-/// some disks have few of these.
+/// Of each radius up to those chosen, the disk of the lowest degree whose bias is at most twice the standard deviation:
+/// noise moves it least. They tell a vertex whose surroundings are unlike those of the place. None where normals are
+/// data: then some disks have few of these.
 template <class Neighbors>
 std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
                                     const Learned_place& place)
@@ -104,20 +103,18 @@ std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, co
   std::vector<std::size_t> result;
   const Choice& choice = place.choices[together];
   if (!choice.exists() || fits.surface().given) return result;
+  const auto is_hardly_biased = [&](std::size_t c) {
+    const Candidate& candidate = place.candidates[0][c];
+    if (!candidate) return false;
+    const double bias = squared_bias(model.terms, error_products(candidate, candidate, targets_of_order_2[together]));
+    return bias <= most * fits.square_of_noise(place.vertex) * candidate.variance;
+  };
   const Candidate_grid& grid = fits.grid();
   const double square_of_radius = mean_scale(choice, grid).square_of_radius;
   for (std::size_t j = 0; j < grid.radii.size() && grid.radii[j] * grid.radii[j] <= square_of_radius; ++j) {
-    double least = std::numeric_limits<double>::infinity(); // variance
-    std::size_t best = grid.size();
-    for (std::size_t c = j; c < grid.size(); c += grid.radii.size()) {
-      const Candidate& candidate = place.candidates[0][c];
-      if (!candidate || !(candidate.variance < least)) continue;
-      const double bias = squared_bias(model.terms, Own_errors(candidate, targets_of_order_2[together]).terms);
-      if (bias > most * fits.square_of_noise(place.vertex) * candidate.variance) continue;
-      least = candidate.variance;
-      best = c;
-    }
-    if (best < grid.size()) result.push_back(best);
+    std::size_t c = j;
+    while (c < grid.size() && !is_hardly_biased(c)) c += grid.radii.size();
+    if (c < grid.size()) result.push_back(c);
   }
   return result;
 }
