@@ -13,6 +13,8 @@
 #include <CGAL/Jet_fitting_3/averaging/Surface_choice.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,6 +55,16 @@ scale::Moments moments_of(const std::vector<Vector>& samples, std::size_t n)
 scale::Candidate fit(const std::vector<Vector>& samples, std::size_t n, std::size_t degree, std::size_t order)
 {
   return scale::candidate(moments_of(samples, n), degree, n, 1, order, true);
+}
+
+// The same by weights.
+scale::Candidate fit(const std::vector<Vector>& samples, std::size_t n, std::size_t degree, std::size_t order,
+                     const scale::Taper& taper)
+{
+  constexpr std::size_t h = scale::highest_degree, all = h + scale::highest_order, more = scale::Taper::order;
+  scale::Moments moments;
+  moments.add<h + more, all + more>(samples.data(), n);
+  return scale::candidate(scale::tapered(moments, taper, h, all), degree, n, 1, order, true);
 }
 
 // A fit whose first samples have slopes.
@@ -100,6 +112,79 @@ void responses_are_what_fits_answer()
                                "response of a fit to a term of the surface");
           }
       }
+}
+
+// Also such that leave some of the samples out.
+const scale::Taper tapers[] = {{0.3, 0.2}, {0.9, 0.9}, {0.5, 1.4}};
+
+double weight(const scale::Taper& taper, const Vector& s) { return 1 - taper.xx * s.x * s.x - taper.yy * s.y * s.y; }
+
+std::vector<Vector> of_positive_weight(const std::vector<Vector>& samples, const scale::Taper& taper)
+{
+  std::vector<Vector> result;
+  for (const Vector& s : samples)
+    if (weight(taper, s) > 0) result.push_back(s);
+  return result;
+}
+
+void tapered_fits_are_by_weighted_least_squares()
+{
+  for (const scale::Taper& taper : tapers) {
+    const std::vector<Vector> samples = of_positive_weight(random_samples(200, 7), taper);
+    for (const std::size_t degree : {2, 4, 6}) {
+      const std::size_t unknowns = CGAL::Jet_fitting::number_of_jet_coefficients(degree);
+      Eigen::MatrixXd matrix(samples.size(), unknowns);
+      Eigen::VectorXd heights(samples.size());
+      for (std::size_t s = 0; s < samples.size(); ++s) {
+        const double root = std::sqrt(weight(taper, samples[s]));
+        for (std::size_t k = 0; k <= degree; ++k)
+          for (std::size_t j = 0; j <= k; ++j)
+            matrix(Eigen::Index(s), Eigen::Index(CGAL::Jet_fitting::term_index(k, j))) =
+                root * std::pow(samples[s].x, double(k - j)) * std::pow(samples[s].y, double(j));
+        heights(Eigen::Index(s)) = root * samples[s].z;
+      }
+      const Eigen::VectorXd c = matrix.householderQr().solve(heights);
+      const scale::Candidate found = fit(samples, samples.size(), degree, 2, taper);
+      const double expected[] = {2 * c(3), std::sqrt(2.) * c(4), 2 * c(5)};
+      for (std::size_t j = 0; j < 3; ++j) test::check_near(found.values[j], expected[j], 1e-9, "tapered fit");
+      for (std::size_t k = 0; k <= scale::highest_order; ++k)
+        for (std::size_t l = 0; l <= k; ++l) {
+          std::vector<Vector> of_term = samples;
+          for (Vector& s : of_term) s.z = std::pow(s.x, double(k - l)) * std::pow(s.y, double(l));
+          const scale::Candidate answer = fit(of_term, of_term.size(), degree, 2, taper);
+          for (std::size_t j = 0; j < 3; ++j)
+            test::check_near(found.rows[j].responses[CGAL::Jet_fitting::term_index(k, l)], answer.values[j], 1e-9,
+                             "response of a tapered fit to a term of the surface");
+        }
+    }
+  }
+}
+
+// Of two fits, the first to a smaller disk, or the same.
+void covariances_of_tapered_fits()
+{
+  constexpr scale::Taper outer{0.9, 0.9};
+  for (const double radius : {0.8, 1.}) {
+    const scale::Taper inner{outer.xx / (radius * radius), outer.yy / (radius * radius)};
+    std::vector<Vector> samples = of_positive_weight(random_samples(150, 8), inner);
+    const std::size_t fewer = samples.size();
+    for (const Vector& s : of_positive_weight(random_samples(250, 9), outer))
+      if (weight(inner, s) <= 0) samples.push_back(s);
+    for (Vector& s : samples) s.z = 0;
+    for (const std::size_t degree_a : {2, 4, 6})
+      for (const std::size_t degree_b : {2, 4, 6}) {
+        double expected = 0;
+        for (Vector& s : samples) {
+          s.z = 1;
+          const auto a = fit(samples, fewer, degree_a, 2, inner), b = fit(samples, samples.size(), degree_b, 2, outer);
+          for (std::size_t j = 0; j < 3; ++j) expected += a.values[j] * b.values[j];
+          s.z = 0;
+        }
+        const double found = scale::covariance(fit(samples, fewer, degree_a, 2, inner),
+                                               fit(samples, samples.size(), degree_b, 2, outer), {0, 3});
+        test::check_near(found, expected, 1e-9 * std::abs(expected), "covariance of two nested tapered fits");
+      }
+  }
 }
 
 // By lifting each sample in turn.
@@ -377,6 +462,8 @@ int main()
 {
   responses_are_what_fits_answer();
   covariances_are_sums_over_samples();
+  tapered_fits_are_by_weighted_least_squares();
+  covariances_of_tapered_fits();
   squares_do_not_depend_on_axes();
   axes_have_the_order_of_others();
   too_few_samples_are_no_candidate();

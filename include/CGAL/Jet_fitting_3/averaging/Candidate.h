@@ -48,8 +48,7 @@ constexpr double factorial(std::size_t n) { return n < 2 ? 1 : double(n) * facto
 /// One linear estimate made by a fit.
 struct Estimate_row
 {
-  std::array<double, number_of_jet_coefficients(highest_degree)>
-      of_moments{}; ///< value = sum of these times Moments::heights
+  Tapered_coefficients weights{}; ///< what a sample weighs is a polynomial with these
   std::array<double, number_of_jet_coefficients(highest_order)>
       responses{}; ///< what it answers to each term of the surface
 };
@@ -63,7 +62,7 @@ struct Candidate
   double height = 0;                 ///< at the origin
   std::array<double, 2> slopes{};    ///< z_x, z_y
   std::array<double, 5> values{};    ///< of the rows
-  double variance = 0;               ///< of all rows per square of the noise, summed
+  double variance = 0;               ///< of all rows per square of the noise, summed; of tapered fits, a bound of it
   std::vector<Estimate_row> rows;    ///< none where only values are wanted
 
   explicit operator bool() const { return degree > 0; }
@@ -98,16 +97,16 @@ struct Target
 };
 
 /// The covariance of two estimates of an order per square of the noise; the first is from some of the samples of the
-/// second, or all. What a sample weighs in the second is a polynomial with the coefficients `of_moments`, and the
-/// covariance is what the first answers to it: of terms up to its own degree only to those of the order.
+/// second, or all. What a sample weighs in the second is a polynomial, and the covariance is what the first answers to
+/// it: of terms up to its own degree only to those of the order.
 inline double covariance(const Estimate_row& fewer, const Estimate_row& more, std::size_t order,
                          std::size_t degree_of_fewer, std::size_t degree_of_more)
 {
   double sum = 0;
   for (std::size_t t = term_index(order, 0); t < term_index(order + 1, 0); ++t)
-    sum += fewer.responses[t] * more.of_moments[t];
-  for (std::size_t t = term_index(degree_of_fewer + 1, 0); t < term_index(degree_of_more + 1, 0); ++t)
-    sum += fewer.responses[t] * more.of_moments[t];
+    sum += fewer.responses[t] * more.weights[t];
+  const std::size_t end = term_index(degree_of_more + Taper::order + 1, 0);
+  for (std::size_t t = term_index(degree_of_fewer + 1, 0); t < end; ++t) sum += fewer.responses[t] * more.weights[t];
   return sum;
 }
 
@@ -162,8 +161,7 @@ inline void turn(Candidate& c, double cosine, double sine)
   in_new_axes(c.values[0], c.values[1], c.values[2]);
   if (c.rows.empty()) return;
   Estimate_row &xx = c.rows[0], &xy = c.rows[1], &yy = c.rows[2];
-  for (std::size_t t = 0; t < xx.of_moments.size(); ++t)
-    in_new_axes(xx.of_moments[t], xy.of_moments[t], yy.of_moments[t]);
+  for (std::size_t t = 0; t < xx.weights.size(); ++t) in_new_axes(xx.weights[t], xy.weights[t], yy.weights[t]);
   for (std::size_t t = 0; t < xx.responses.size(); ++t) in_new_axes(xx.responses[t], xy.responses[t], yy.responses[t]);
 }
 

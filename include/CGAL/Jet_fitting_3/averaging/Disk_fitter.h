@@ -24,7 +24,7 @@ namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// The radii of disks end here, in units.
-constexpr double largest_radius = 24;
+constexpr double largest_radius = 26;
 
 /// From the smallest one to that.
 inline std::vector<double> radii_of_disks(double smallest = 2)
@@ -93,16 +93,28 @@ struct Samples_with_slopes
 /// \param with_slopes those of the samples that have slopes; may be none
 /// \param ends ends[j] is where shell j ends
 /// \param moments without samples
+/// \param taper of samples without slopes, for a disk of radius 1
 inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, const Samples_with_slopes& with_slopes,
-                                 const std::vector<std::size_t>& ends, Moments moments, const Candidate_grid& grid,
-                                 std::size_t order, const Selection& selection, bool with_rows)
+                                 const std::vector<std::size_t>& ends, Moments moments, const Taper& taper,
+                                 const Candidate_grid& grid, std::size_t order, const Selection& selection,
+                                 bool with_rows)
 {
+  constexpr std::size_t more = Taper::order;
+  constexpr std::size_t untapered = 2; // this degree serves where noise is large, and each sample counts
   Candidates result(grid.size());
   const std::vector<Vector_3<double>>& sloping = with_slopes.places;
   moments.have_all_slopes = sloping.size() == places.size();
   for (std::size_t j = 0, k = 0, l = 0; j < ends.size(); ++j) {
     if (!selection.has(grid, j)) continue; // its samples are added with those of the next
+    const bool is_tapered = taper.exists() && selection.degree(j) > untapered;
+    Moments weighted;
     add_for_degree(selection.degree(j), with_rows, [&](auto degree, auto highest) {
+      if (is_tapered) {
+        moments.add<degree + more, highest + more>(places.data() + k, ends[j] - k);
+        const double square = grid.radii[j] * grid.radii[j];
+        weighted = tapered(moments, {taper.xx / square, taper.yy / square}, degree, highest);
+        return;
+      }
       moments.add<degree, highest>(places.data() + k, ends[j] - k);
       if (sloping.empty()) return;
       moments.add_slopes<degree, highest>(sloping.data() + l, with_slopes.slopes.data() + l, with_slopes.ends[j] - l);
@@ -110,8 +122,12 @@ inline Candidates fits_to_shells(const std::vector<Vector_3<double>>& places, co
     });
     k = ends[j];
     if (j > 0 && k - ends[j - 1] < 3) continue; // the same fit again
-    for (std::size_t c = j; c < grid.size(); c += grid.radii.size())
-      if (selection[c]) result[c] = candidate(moments, grid.degree(c), j, grid.radii[j], order, with_rows);
+    for (std::size_t c = j; c < grid.size(); c += grid.radii.size()) {
+      if (!selection[c]) continue;
+      const std::size_t degree = grid.degree(c);
+      const Moments& own = is_tapered && degree > untapered ? weighted : moments;
+      result[c] = candidate(own, degree, j, grid.radii[j], order, with_rows);
+    }
   }
   return result;
 }
@@ -135,20 +151,22 @@ public:
   {
     typename Walker<Neighbors>::Disk& disk =
         walker.disk(i, frame, grid.radii, selection.shells(), {m_surface.units[i], ratio, least_cosine(), least, most});
-    const Samples_with_slopes with_slopes = m_surface.given ? slopes_of(disk, frame) : Samples_with_slopes();
+    const Samples_with_slopes with_slopes = m_surface.has_slopes() ? slopes_of(disk, frame) : Samples_with_slopes();
     if (m_height == Height::potential)
       for (std::size_t k = 0; k < disk.places.size(); ++k)
         disk.places[k].z *= potential_over_z(m_surface.normals[disk.vertices[k]], frame.axes.z);
     Moments moments;
-    if (m_surface.given) {
+    if (m_surface.has_slopes()) {
       moments.slope_weight = m_surface.given->weights[i];
       moments.are_of_potentials = m_height == Height::potential;
     }
-    return fits_to_shells(disk.places, with_slopes, disk.ends, moments, grid, order, selection, with_rows);
+    const Taper taper = m_surface.has_slopes() ? Taper() : Taper{fall * ratio, fall / ratio};
+    return fits_to_shells(disk.places, with_slopes, disk.ends, moments, taper, grid, order, selection, with_rows);
   }
 
 private:
-  static constexpr std::size_t least = 20, most = 2200; // vertices; with 20 degree 4 is possible
+  static constexpr std::size_t least = 20, most = 2500; // vertices; with 20 degree 4 is possible
+  static constexpr double fall = 0.9;                   // of weights towards the rim
 
   double least_cosine() const { return m_height == Height::z ? least_cosine_of_heights : least_cosine_of_potentials; }
 

@@ -22,6 +22,13 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// A disk that tells a vertex whose surroundings are unlike those of its place.
+struct Reference
+{
+  std::size_t candidate;
+  double part; ///< its variance over the bound of it
+};
+
 /// A place where candidates are compared, and what is chosen there.
 struct Learned_place
 {
@@ -35,7 +42,7 @@ struct Learned_place
   Choice of_slopes;                                ///< by disks
   std::array<Selection, shapes.size()> selections; ///< what they use
   std::array<Selection, shapes.size()> promising;  ///< what vertices around it may use
-  std::vector<std::size_t> references;             ///< smaller disks that are hardly biased
+  std::vector<Reference> references;               ///< smaller disks that are hardly biased
   std::array<double, 3> q{};                       ///< second derivatives by disks, in the axes of the frame
   double own_size = 0;                             ///< sum of the squares of the second derivatives
 };

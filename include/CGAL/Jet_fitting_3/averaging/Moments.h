@@ -36,6 +36,19 @@ constexpr std::size_t highest_order = 8;
 /// Of x^i y^j up to the highest degree, in the order of term_index().
 using Coefficients = std::array<double, number_of_jet_coefficients(highest_degree)>;
 
+/// Weights of samples, 1 - xx x^2 - yy y^2: in a disk they fall towards its rim. If they reached 0 there, fits would
+/// err least (Fan and Gijbels 1996). The moments with these weights follow from those without, of orders higher by two.
+struct Taper
+{
+  static constexpr std::size_t order = 2;
+  double xx = 0, yy = 0; ///< all weights are 1
+
+  bool exists() const { return xx > 0; }
+};
+
+/// A number for each x^i y^j up to the highest degree and what a taper needs beyond.
+using Tapered_coefficients = std::array<double, number_of_jet_coefficients(highest_degree + Taper::order)>;
+
 /// z_x and z_y.
 struct Slope
 {
@@ -47,19 +60,20 @@ struct Slope
 struct Moments
 {
   /// Sums of x^i y^j, and zeros, which packs read.
-  using Terms = std::array<double, number_of_jet_coefficients(highest_degree + highest_order) + 2 * lanes>;
+  using Terms =
+      std::array<double, number_of_jet_coefficients(highest_degree + highest_order + Taper::order) + 2 * lanes>;
 
+  std::size_t size = 0;           ///< number of samples
+  Taper taper;                    ///< their weights in the sums
   Terms terms{};                  ///< of all samples
-  Coefficients heights{};         ///< of x^i y^j z, and what slopes add
+  Tapered_coefficients heights{}; ///< of x^i y^j z, and what slopes add
   double slope_weight = 0;        ///< of the square of a slope, where slopes are data, that of a height being 1
   bool are_of_potentials = false; ///< heights z (1 + n_z) / 2, and tangential parts of normals in the place of slopes
   bool have_all_slopes = true;    ///< whether all samples have slopes
   Terms terms_of_some{};          ///< sums of x^i y^j over those that have, if not all do
 
-  /// Number of samples.
-  double size() const { return terms[0]; }
   /// How far the middle of the samples lies beside the origin.
-  double off_center() const { return std::hypot(terms[1], terms[2]) / size(); }
+  double off_center() const { return std::hypot(terms[1], terms[2]) / terms[0]; }
   /// Of the samples that have slopes.
   const Terms& terms_of_slopes() const { return have_all_slopes ? terms : terms_of_some; }
   /// How many a fit of this degree has within a radius: one a height and up to two a slope, fewer where slopes weigh
@@ -67,7 +81,7 @@ struct Moments
   double equations(std::size_t degree, double radius) const
   {
     const double of_slope = slope_weight * double(degree * degree) / (radius * radius);
-    return size() + 2 * terms_of_slopes()[0] * std::min(1., of_slope);
+    return double(size) + 2 * terms_of_slopes()[0] * std::min(1., of_slope);
   }
 
   /// The weighted sum of the products of the gradients of x^(k - j) y^j and x^(l - i) y^i.
@@ -86,6 +100,7 @@ struct Moments
   template <std::size_t degree, std::size_t order = 2 * degree>
   void add(const Vector_3<double>* samples, std::size_t count)
   {
+    size += count;
     numeric::add_moments<order, degree>(samples, count, terms.data(), heights.data());
   }
 
@@ -112,6 +127,25 @@ struct Moments
       }
   }
 };
+
+/// The same samples, none of which has a slope, with other weights.
+/// \param moments with weights of 1, of orders higher by two
+/// \param order of the terms' highest entry
+inline Moments tapered(const Moments& moments, const Taper& taper, std::size_t degree, std::size_t order)
+{
+  Moments result;
+  result.size = moments.size;
+  result.taper = taper;
+  const auto set = [&taper](auto& sums, const auto& of_all, std::size_t highest) {
+    for (std::size_t k = 0; k <= highest; ++k)
+      for (std::size_t j = 0; j <= k; ++j)
+        sums[term_index(k, j)] = of_all[term_index(k, j)] - taper.xx * of_all[term_index(k + 2, j)] -
+                                 taper.yy * of_all[term_index(k + 2, j + 2)];
+  };
+  set(result.terms, moments.terms, order);
+  set(result.heights, moments.heights, degree);
+  return result;
+}
 
 /// What fits of this degree need of more samples; for rows, the effects of higher terms as well.
 /// \tparam Add calls add<degree, order> of moments

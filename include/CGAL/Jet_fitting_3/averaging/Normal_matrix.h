@@ -48,7 +48,7 @@ public:
   bool is_regular() const { return m_is_regular; }
 
   /// The coefficients up to an order, from the heights, which are moments.
-  Coefficients solution(const Coefficients& heights, std::size_t order) const
+  Coefficients solution(const Tapered_coefficients& heights, std::size_t order) const
   {
     Row y{};
     for (std::size_t k = 0; k <= m_degree; ++k)

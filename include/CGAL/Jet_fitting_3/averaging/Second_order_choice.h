@@ -133,11 +133,10 @@ private:
                   const Choice& choice, std::size_t i) const
   {
     constexpr double much = 25; // variances; with 10 single vertices of spheres are taken for unlike, with 14 of tubes
-    return std::any_of(place.references.begin(), place.references.end(), [&](std::size_t c) {
-      const Candidate& reference = references[c];
-      return reference &&
-             squared_distance(second_derivatives(reference), q) >
-                 uncertain_bias * choice.squared_bias + much * m_fits.square_of_noise(i) * reference.variance;
+    return std::any_of(place.references.begin(), place.references.end(), [&](const Reference& r) {
+      const Candidate& fit = references[r.candidate];
+      return fit && squared_distance(second_derivatives(fit), q) >
+                        uncertain_bias * choice.squared_bias + much * m_fits.square_of_noise(i) * r.part * fit.variance;
     });
   }
 
@@ -243,7 +242,7 @@ private:
     const Surface& surface = m_fits.surface();
     const double height =
         mean_of<1>(candidates, choice, [](const Candidate& c) { return std::array<double, 1>{c.height}; })[0];
-    if (!surface.given) return height;
+    if (!surface.has_slopes()) return height;
     const double square = mean_scale(choice, m_fits.grid()).square_of_radius;
     return height * square / (square + 16 * surface.given->weights[i]); // by information on x^2, degree 2
   }

@@ -27,7 +27,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
 
 /// Chooses radii and degrees for all vertices of a surface with edges, from positions, and from given normals, and
-/// which height. Radii end at 24 units, and what is learned of bias is in units as well: so it holds where edges have
+/// which height. Radii end at 26 units, and what is learned of bias is in units as well: so it holds where edges have
 /// another length, as those of a mesh do that is finer where its surface bends more.
 template <class Neighbors>
 class Surface_choice
@@ -56,7 +56,7 @@ public:
     };
     std::vector<Height> heights{Height::potential};
     if (!turns_at_most(surface, vertices)) heights.push_back(Height::z);
-    Candidate_grid grid = widest_grid(highest, surface.given && surface.given->suffice_in_one_ring);
+    Candidate_grid grid = widest_grid(highest, surface.has_slopes());
     std::vector<std::size_t> some;
     for (std::size_t k = 0; k < vertices.size(); k += 8) some.push_back(vertices[k]);
     std::size_t shells = 0;

@@ -78,6 +78,8 @@ struct Surface_points
   const std::vector<std::size_t>* components = nullptr; ///< see connected_components(); null: there is one
 
   double stretch(std::size_t i) const { return stretches ? (*stretches)[i].ratio : 1; }
+  /// Whether fits use the normals: where these do not suffice in one ring, positions in larger disks tell far more.
+  bool has_slopes() const { return given && given->suffice_in_one_ring; }
 };
 
 /// The slopes that a normal in a frame tells. None are told by normals that are unknown, or lean far.

@@ -73,22 +73,38 @@ inline numeric::Power_series<double> series(const Coefficients& terms, std::size
 }
 
 /// What a row answers to the terms above the degree.
-inline void add_responses(const Moments& moments, std::size_t degree, Estimate_row& row)
+/// \param polynomial by which the samples enter it, but for a taper
+inline void add_responses(const Moments& moments, const Coefficients& polynomial, std::size_t degree, Estimate_row& row)
 {
   for (std::size_t order = degree + 1; order <= highest_order; ++order) {
-    const Of_terms of_order = products(moments.terms, row.of_moments.data(), degree, order);
+    const Of_terms of_order = products(moments.terms, polynomial.data(), degree, order);
     std::copy_n(of_order.begin(), order + 1, &row.responses[term_index(order, 0)]);
   }
 }
 
 /// What a row answers to the slopes of terms above the degree.
-inline void add_responses_of_slopes(const Moments& moments, std::size_t degree, Estimate_row& row)
+inline void add_responses_of_slopes(const Moments& moments, const Coefficients& polynomial, std::size_t degree,
+                                    Estimate_row& row)
 {
-  const numeric::Vector_field<double> of_row = numeric::gradient(series(row.of_moments, degree, degree));
+  const numeric::Vector_field<double> of_row = numeric::gradient(series(polynomial, degree, degree));
   for (std::size_t order = degree + 1; order <= highest_order; ++order) {
     const Of_terms of_order = products_with_gradients(moments.terms_of_slopes(), of_row, degree - 1, order);
     for (std::size_t l = 0; l <= order; ++l) row.responses[term_index(order, l)] += moments.slope_weight * of_order[l];
   }
+}
+
+/// A polynomial times the weights of samples.
+inline Tapered_coefficients times_taper(const Coefficients& polynomial, const Taper& taper)
+{
+  Tapered_coefficients result{};
+  std::copy(polynomial.begin(), polynomial.end(), result.begin());
+  if (!taper.exists()) return result;
+  for (std::size_t k = 0; k <= highest_degree; ++k)
+    for (std::size_t j = 0; j <= k; ++j) {
+      result[term_index(k + 2, j)] -= taper.xx * polynomial[term_index(k, j)];
+      result[term_index(k + 2, j + 2)] -= taper.yy * polynomial[term_index(k, j)];
+    }
+  return result;
 }
 
 /// The row for the j-th derivative of this order.
@@ -98,11 +114,12 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
   Estimate_row row;
   const std::size_t own = term_index(order, j);
   const double factor = derivative_factor(order, j);
-  row.of_moments = matrix.column(order, j);
-  for (double& m : row.of_moments) m *= factor;
+  Coefficients polynomial = matrix.column(order, j);
+  for (double& coefficient : polynomial) coefficient *= factor;
+  row.weights = times_taper(polynomial, moments.taper);
   row.responses[own] = factor;
-  add_responses(moments, degree, row);
-  if (moments.slope_weight > 0) add_responses_of_slopes(moments, degree, row);
+  add_responses(moments, polynomial, degree, row);
+  if (moments.slope_weight > 0) add_responses_of_slopes(moments, polynomial, degree, row);
   return row;
 }
 
@@ -111,10 +128,10 @@ inline Estimate_row estimate_row(const Moments& moments, const Normal_matrix& ma
 inline double size_of_unit_terms(std::size_t order) { return double(order + 1) * factorial(order) * factorial(order); }
 
 /// What moments of slopes add to heights, without a defect of the slopes up to an order.
-inline Coefficients without_defect(const Moments& moments, std::size_t degree,
-                                   const numeric::Vector_field<double>& defect, std::size_t order)
+inline Tapered_coefficients without_defect(const Moments& moments, std::size_t degree,
+                                           const numeric::Vector_field<double>& defect, std::size_t order)
 {
-  Coefficients heights = moments.heights;
+  Tapered_coefficients heights = moments.heights;
   for (std::size_t k = 1; k <= degree; ++k) {
     const Of_terms of_order = products_with_gradients(moments.terms_of_slopes(), defect, order, k);
     for (std::size_t j = 0; j <= k; ++j) heights[term_index(k, j)] -= moments.slope_weight * of_order[j];

@@ -96,25 +96,25 @@ void add_promising(const Second_order_fits<Neighbors>& fits, Learned_place& plac
 /// noise moves it least. They tell a vertex whose surroundings are unlike those of the place. None where normals are
 /// data: then some disks have few of these.
 template <class Neighbors>
-std::vector<std::size_t> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
-                                    const Learned_place& place)
+std::vector<Reference> references(const Second_order_fits<Neighbors>& fits, const Bias_model& model,
+                                  const Learned_place& place)
 {
   constexpr double most = 4; // squared
-  std::vector<std::size_t> result;
+  std::vector<Reference> result;
   const Choice& choice = place.choices[together];
-  if (!choice.exists() || fits.surface().given) return result;
+  if (!choice.exists() || fits.surface().has_slopes()) return result;
   const auto is_hardly_biased = [&](std::size_t c) {
-    const Candidate& candidate = place.candidates[0][c];
-    if (!candidate) return false;
-    const double bias = squared_bias(model.terms, error_products(candidate, candidate, targets_of_order_2[together]));
-    return bias <= most * fits.square_of_noise(place.vertex) * candidate.variance;
+    const Own_errors own(place.candidates[0][c], targets_of_order_2[together]);
+    return squared_bias(model.terms, own.terms) < most * fits.square_of_noise(place.vertex) * own.variance;
   };
   const Candidate_grid& grid = fits.grid();
   const double square_of_radius = mean_scale(choice, grid).square_of_radius;
   for (std::size_t j = 0; j < grid.radii.size() && grid.radii[j] * grid.radii[j] <= square_of_radius; ++j) {
     std::size_t c = j;
     while (c < grid.size() && !is_hardly_biased(c)) c += grid.radii.size();
-    if (c < grid.size()) result.push_back(c);
+    if (c >= grid.size()) continue;
+    const Candidate& candidate = place.candidates[0][c];
+    result.push_back({c, covariance(candidate, candidate, targets_of_order_2[together]) / candidate.variance});
   }
   return result;
 }
@@ -131,7 +131,7 @@ void select_candidates(const Second_order_fits<Neighbors>& fits, const Learned_m
   place.selections[0].add(fits.grid(), place.choices[together]);
   place.selections[0].add(fits.grid(), place.of_slopes);
   place.references = references(fits, models.of_all, place);
-  for (const std::size_t c : place.references) place.selections[0].add(fits.grid(), c);
+  for (const Reference& reference : place.references) place.selections[0].add(fits.grid(), reference.candidate);
   for (std::size_t t = 0; t < number_of_components; ++t)
     place.selections[place.choices[t].shape].add(fits.grid(), place.choices[t]);
 }

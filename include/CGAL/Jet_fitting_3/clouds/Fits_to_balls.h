@@ -68,7 +68,7 @@ public:
       moments.slope_weight = weights.slope / weights.height;
       moments.are_of_potentials = true;
     }
-    return averaging::fits_to_shells(samples.places, samples.with_slopes, samples.ends, moments, grid, m_order,
+    return averaging::fits_to_shells(samples.places, samples.with_slopes, samples.ends, moments, {}, grid, m_order,
                                      selection, with_rows);
   }
 
