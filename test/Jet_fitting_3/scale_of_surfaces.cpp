@@ -62,6 +62,7 @@ scale::Candidate fit(const std::vector<Vector>& samples, std::size_t n, std::siz
                      const scale::Taper& taper)
 {
   constexpr std::size_t h = scale::highest_degree, all = h + scale::highest_order, more = scale::Taper::order;
+  if (!taper.exists()) return fit(samples, n, degree, order);
   scale::Moments moments;
   moments.add<h + more, all + more>(samples.data(), n);
   return scale::candidate(scale::tapered(moments, taper, h, all), degree, n, 1, order, true);
@@ -160,9 +161,30 @@ void tapered_fits_are_by_weighted_least_squares()
   }
 }
 
-// Of two fits, the first to a smaller disk, or the same.
-void covariances_of_tapered_fits()
+// Of a fit to the first samples and one to all, by lifting each sample in turn.
+void covariances_are_sums_over_samples(std::vector<Vector> samples, std::size_t fewer, const scale::Taper& inner,
+                                       const scale::Taper& outer)
 {
+  for (Vector& s : samples) s.z = 0;
+  const auto fit_to_fewer = [&](std::size_t degree) { return fit(samples, fewer, degree, 2, inner); };
+  const auto fit_to_all = [&](std::size_t degree) { return fit(samples, samples.size(), degree, 2, outer); };
+  for (const std::size_t degree_a : {2, 4, 6})
+    for (const std::size_t degree_b : {2, 4, 6}) {
+      double expected = 0;
+      for (Vector& s : samples) {
+        s.z = 1;
+        const auto a = fit_to_fewer(degree_a), b = fit_to_all(degree_b);
+        for (std::size_t j = 0; j < 3; ++j) expected += a.values[j] * b.values[j];
+        s.z = 0;
+      }
+      const double found = scale::covariance(fit_to_fewer(degree_a), fit_to_all(degree_b), {0, 3});
+      test::check_near(found, expected, 1e-9 * std::abs(expected), "covariance of two nested fits");
+    }
+}
+
+void covariances_of_nested_fits()
+{
+  for (const std::size_t fewer : {60, 100}) covariances_are_sums_over_samples(random_samples(100, 2), fewer, {}, {});
   constexpr scale::Taper outer{0.9, 0.9};
   for (const double radius : {0.8, 1.}) {
     const scale::Taper inner{outer.xx / (radius * radius), outer.yy / (radius * radius)};
@@ -170,42 +192,8 @@ void covariances_of_tapered_fits()
     const std::size_t fewer = samples.size();
     for (const Vector& s : of_positive_weight(random_samples(250, 9), outer))
       if (weight(inner, s) <= 0) samples.push_back(s);
-    for (Vector& s : samples) s.z = 0;
-    for (const std::size_t degree_a : {2, 4, 6})
-      for (const std::size_t degree_b : {2, 4, 6}) {
-        double expected = 0;
-        for (Vector& s : samples) {
-          s.z = 1;
-          const auto a = fit(samples, fewer, degree_a, 2, inner), b = fit(samples, samples.size(), degree_b, 2, outer);
-          for (std::size_t j = 0; j < 3; ++j) expected += a.values[j] * b.values[j];
-          s.z = 0;
-        }
-        const double found = scale::covariance(fit(samples, fewer, degree_a, 2, inner),
-                                               fit(samples, samples.size(), degree_b, 2, outer), {0, 3});
-        test::check_near(found, expected, 1e-9 * std::abs(expected), "covariance of two nested tapered fits");
-      }
+    covariances_are_sums_over_samples(samples, fewer, inner, outer);
   }
-}
-
-// By lifting each sample in turn.
-void covariances_are_sums_over_samples()
-{
-  std::vector<Vector> samples = random_samples(100, 2);
-  for (Vector& s : samples) s.z = 0;
-  for (const std::size_t degree_a : {2, 4, 6})
-    for (const std::size_t degree_b : {2, 4, 6})
-      for (const std::size_t fewer : {60, 100}) {
-        double expected = 0;
-        for (Vector& s : samples) {
-          s.z = 1;
-          const auto a = fit(samples, fewer, degree_a, 2), b = fit(samples, 100, degree_b, 2);
-          for (std::size_t j = 0; j < 3; ++j) expected += a.values[j] * b.values[j];
-          s.z = 0;
-        }
-        const double found =
-            scale::covariance(fit(samples, fewer, degree_a, 2), fit(samples, 100, degree_b, 2), {0, 3});
-        test::check_near(found, expected, 1e-9 * std::abs(expected), "covariance of two nested fits");
-      }
 }
 
 void squares_do_not_depend_on_axes()
@@ -461,9 +449,8 @@ void noisy_meshes()
 int main()
 {
   responses_are_what_fits_answer();
-  covariances_are_sums_over_samples();
+  covariances_of_nested_fits();
   tapered_fits_are_by_weighted_least_squares();
-  covariances_of_tapered_fits();
   squares_do_not_depend_on_axes();
   axes_have_the_order_of_others();
   too_few_samples_are_no_candidate();

@@ -41,7 +41,7 @@ using Coefficients = std::array<double, number_of_jet_coefficients(highest_degre
 struct Taper
 {
   static constexpr std::size_t order = 2;
-  double xx = 0, yy = 0; ///< all weights are 1
+  double xx = 0, yy = 0; ///< 0: all weights are 1
 
   bool exists() const { return xx > 0; }
 };
