@@ -114,6 +114,46 @@ void beside_fixed_choices(double noise)
   check_le(normals, 0.7 * best, "normals as data beside the best fixed choice without, noise " + text(noise));
 }
 
+// Points at random on a cone or on a wave, along whose lines the curvature is 0.
+std::vector<Oriented> ruled_points(bool is_cone, std::size_t n, double noise)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::normal_distribution<double> normal(0, noise);
+  std::vector<Oriented> points;
+  while (points.size() < n) {
+    const double x = uniform(random), y = uniform(random), radius = 1 - 0.5 * x, angle = std::acos(-1.) * y;
+    if (is_cone && 1.5 * std::abs(uniform(random)) > radius) continue;
+    const Kernel::Point_3 p = is_cone ? Kernel::Point_3(radius * std::cos(angle), radius * std::sin(angle), 2 * x)
+                                      : Kernel::Point_3(2 * x, 2 * y, 0.2 * std::sin(3 * x - 2 * y));
+    points.emplace_back(p + Kernel::Vector_3(normal(random), normal(random), normal(random)),
+                        Kernel::Vector_3(0, 0, 1));
+  }
+  return points;
+}
+
+double error_along_lines(const std::vector<Form>& forms)
+{
+  double sum = 0;
+  for (const Form& form : forms)
+    sum += std::pow(std::min(std::abs(form.principal_curvatures(0)), std::abs(form.principal_curvatures(1))), 2);
+  return std::sqrt(sum / double(forms.size()));
+}
+
+// Ellipses reach far along the lines, and not across.
+void lines_of_surfaces(bool is_cone, double noise, double most)
+{
+  const std::vector<Oriented> points = ruled_points(is_cone, 4000, noise);
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::ptrdiff_t k : {20, 40, 80, 160, 320})
+    for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
+      best = std::min(best, error_along_lines(forms_of(points, jets::nearest(k), degree)));
+  const double chosen = error_along_lines(forms_of(points, jets::automatic(), 4));
+  const std::string name = (is_cone ? "along a cone" : "along a wave") + (", noise " + text(noise));
+  std::cout << name << ": " << chosen << ", best fixed choice " << best << std::endl;
+  check_le(chosen, most * best, name + " beside the best fixed choice");
+}
+
 // Depths along z at the pixels of an image of [-1.5, 1.5]^2, where there is a surface.
 // \param depth from the height, and the pixel
 template <class Depth>
@@ -816,6 +856,8 @@ void misuse()
 int main()
 {
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
+  lines_of_surfaces(true, 0.002, 0.5);
+  lines_of_surfaces(false, 0.004, 0.55);
   errors_alike_at_neighbors();
   short_waves();
   normals_left_aside();

@@ -103,7 +103,9 @@ public:
     const Ladder& ladder = m_sample.ladder(member);
     std::optional<Local_frame> frame;
     if (!nearby.looks.empty()) {
-      const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1}, {}, nearby.looks};
+      const Wanted_rungs wanted{{0, std::max(nearby.looks.back().rung, ladder.frame) + 1},
+                                nearby.elongated,
+                                nearby.looks};
       const auto like_nearby = [&](const Local_ladder& local) { return choose(local, learned.table, ladder); };
       Point_scale scale = choose_at(i, member, wanted, nearby.looks.front().rung, frame, near, like_nearby);
       if (nearby.is_as_good(scale)) return scale;

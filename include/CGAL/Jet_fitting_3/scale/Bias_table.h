@@ -36,7 +36,7 @@ constexpr double hidden = 0.25;         ///< what a bias may add to the variance
 constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
 constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
 constexpr double like_off_center = 0.1; ///< difference from which on places tell little of each other
-constexpr double flat_risk = 4;         ///< by how much heights have to be better than round heights: not by chance
+constexpr double other_risk = 4;        ///< from positions, by how much what is no ball has to be better: not by chance
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -64,28 +64,32 @@ struct Squared_bias
 /// Of one target, in one shape: [degree - 2][rung].
 using Bias_in_shape = std::array<std::vector<Squared_bias>, 3>;
 
-/// Of one target.
+/// Of one target, in all shapes; empty of those that are no candidates.
 struct Bias_of_target
 {
-  Bias_in_shape in_balls, in_others; ///< the latter are of other_shape()
+  std::array<Bias_in_shape, number_of_shapes> of_shapes;
 
-  const Bias_in_shape& in(Shape shape) const { return shape == Shape::ball ? in_balls : in_others; }
+  Bias_in_shape& in(Shape shape) { return of_shapes[std::size_t(shape)]; }
+  const Bias_in_shape& in(Shape shape) const { return of_shapes[std::size_t(shape)]; }
 };
 
 /// Of all targets.
 using Bias_table = std::array<Bias_of_target, number_of_targets>;
 
-/// The other shape that is a candidate for a target beside the ball: second derivatives along an axis are known best
-/// from samples along it, and are disturbed by how they change across.
+/// The ellipse that is a candidate for a target, or the ball where none is: second derivatives along an axis are known
+/// best from samples along it, and are disturbed by how they change across.
 constexpr Shape long_shape(std::size_t target)
 {
   return target == 1 ? Shape::along_x : target == 3 ? Shape::along_y : Shape::ball;
 }
 
-/// The same, or what it is from positions alone.
-constexpr Shape other_shape(std::size_t target, const Ladder& ladder)
+/// All that are candidates for a target, balls first.
+inline std::vector<Shape> shapes_of(std::size_t target, const Ladder& ladder)
 {
-  return ladder.with_normals ? long_shape(target) : Shape::flat_ball;
+  std::vector<Shape> shapes{Shape::ball};
+  if (!ladder.with_normals) shapes.push_back(Shape::flat_ball);
+  if (is_ellipse(long_shape(target))) shapes.push_back(long_shape(target));
+  return shapes;
 }
 
 /// Whether a degree is a candidate for a target: odd degrees add nothing to second derivatives.
@@ -359,15 +363,15 @@ inline double squared_curvature(const Patch_statistics::Patch& patch, const Ladd
 /// The terms of a smooth surface fall as powers: where degree 2 errs by k (r / L)^2, one expects k (r / L)^4 of
 /// degree 4, in all directions, unless more is seen. The difference of two balls alone tells it with the noise of the
 /// smaller one. Not with normals: on spheres and cylinders series of the Gauss map end.
-inline void expect_falling_terms(Bias_table& table, Bias_in_shape Bias_of_target::*shape, double squared_curvature)
+inline void expect_falling_terms(Bias_table& table, Shape shape, double squared_curvature)
 {
   if (!(squared_curvature > 0)) return;
-  const auto of_degree_2 = [&](std::size_t target, std::size_t j) { return (table[target].*shape)[0][j].value; };
-  for (std::size_t j = 0; j < (table[1].*shape)[0].size(); ++j) {
+  const auto of_degree_2 = [&](std::size_t target, std::size_t j) { return table[target].in(shape)[0][j].value; };
+  for (std::size_t j = 0; j < table[1].in(shape)[0].size(); ++j) {
     const double most = std::max({of_degree_2(1, j), of_degree_2(2, j), of_degree_2(3, j)});
     const double expected = most * most / squared_curvature;
     for (std::size_t target = 1; target < number_of_targets; ++target) {
-      Squared_bias& b = (table[target].*shape)[2][j];
+      Squared_bias& b = table[target].in(shape)[2][j];
       b.value = std::min(b.value, std::max(b.seen, expected));
     }
   }
@@ -399,17 +403,14 @@ inline Bias_table bias_table(const Patch_statistics::Patch& patch, const Ladder&
 {
   Bias_table table;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
-    const Shape other = other_shape(target, ladder);
-    std::vector<Shape> shapes{Shape::ball};
-    if (other != Shape::ball) shapes.push_back(other);
+    const std::vector<Shape> shapes = shapes_of(target, ladder);
     const Patch_statistics statistics(patch, ladder, target, shapes, end);
-    table[target].in_balls = bias_in_shape(statistics, patch, ladder, target, Shape::ball, end);
-    if (other != Shape::ball) table[target].in_others = bias_in_shape(statistics, patch, ladder, target, other, end);
+    for (const Shape shape : shapes)
+      table[target].in(shape) = bias_in_shape(statistics, patch, ladder, target, shape, end);
   }
   if (ladder.with_normals) return table;
   const double square = squared_curvature(patch, ladder);
-  for (const auto shape : {&Bias_of_target::in_balls, &Bias_of_target::in_others})
-    expect_falling_terms(table, shape, square);
+  for (const Shape shape : {Shape::ball, Shape::flat_ball}) expect_falling_terms(table, shape, square);
   return table;
 }
 

@@ -26,7 +26,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// What was chosen at a point of the subsample, from positions alone.
 struct Chosen_nearby
 {
-  std::vector<Look> looks; ///< none if nothing was chosen
+  std::vector<Look> looks;               ///< at balls; none if nothing was chosen
+  std::array<Rung_range, 2> elongated{}; ///< the ellipses
   std::array<double, number_of_targets> risks{}, misfits{};
   Vector_3<double> axis{0, 0, 0}; ///< the principal direction
   double factor = 2;              ///< of risks and misfits, above which another choice is looked for
@@ -48,8 +49,10 @@ inline Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder&
   chosen.looks = looks_at_choice(scale, local);
   const auto choices = choices_of(scale);
   for (std::size_t t = 0; t < number_of_targets; ++t) {
-    chosen.risks[t] = choices[t]->risk();
-    chosen.misfits[t] = choices[t]->misfit;
+    const Chosen_fit& c = *choices[t];
+    chosen.risks[t] = c.risk();
+    chosen.misfits[t] = c.misfit;
+    if (is_ellipse(c.shape)) chosen.elongated[number_of_ellipse(c.shape)] = {c.rung, c.rung + 1};
   }
   chosen.axis = scale.frame.axes.x;
   return chosen;
@@ -83,13 +86,13 @@ Local_ladder local_ladder_at(const Cloud& cloud, const Within& within, std::size
 
 template <class Within, class For_each>
 std::vector<double> off_centers_of(const Cloud& cloud, const Within& within, const Subsample& sample,
-                                   const std::vector<Local_ladder>& ladders, const std::vector<std::size_t>& ends,
+                                   const std::vector<Local_ladder>& ladders, const std::vector<Wanted_rungs>& wanted,
                                    const For_each& for_each)
 {
   std::vector<double> off_centers(sample.size());
   for_each(sample.size(), [&](std::size_t k) {
     const Ladder& ladder = sample.ladder(k);
-    const std::size_t rungs = std::min(ladder.axes + 1, ends[k]);
+    const std::size_t rungs = std::min(ladder.axes + 1, wanted[k].end());
     Indices near;
     within(sample.points[k], reach(cloud, ladder, rungs), near);
     off_centers[k] = off_center(cloud, near, ladders[k].frame, ladder.radii[rungs - 1]);
@@ -121,28 +124,40 @@ inline Patch_statistics::Patch patch_by_likeness(const std::vector<std::uint32_t
 constexpr std::uint32_t sparse = 8;
 
 /// Where a part of the subsample chooses small balls, mostly without noise, the others do without large ones: all that
-/// these could tell is that their bias is large. Not where principal directions would be taken in smaller balls.
-/// \param ends of the ladders
+/// these could tell is that their bias is large. Not where principal directions would be taken in smaller balls. And
+/// from positions alone all do without ellipses where that part takes none, or chooses small balls.
+/// \param ladders, wanted what is fitted at each place
 template <class For_each>
-void shorten_ladders(const Subsample& sample, const Patches& patches, const std::vector<Local_ladder>& ladders,
-                     const For_each& for_each, std::vector<std::size_t>& ends)
+void narrow_ladders(const Subsample& sample, const Patches& patches, const For_each& for_each,
+                    std::vector<Local_ladder>& ladders, std::vector<Wanted_rungs>& wanted)
 {
-  constexpr std::size_t spare = 1;
-  std::vector<std::size_t> chosen(ends.size());
-  for_each((ends.size() + sparse - 1) / sparse, [&](std::size_t n) {
+  constexpr std::size_t spare = 1, small = 2; // rungs
+  std::vector<Wanted_rungs> chosen(wanted.size());
+  for_each((wanted.size() + sparse - 1) / sparse, [&](std::size_t n) {
     const std::size_t k = n * sparse;
     const Ladder& ladder = sample.ladder(k);
     Patch_statistics::Patch patch;
     for (const std::uint32_t member : patches[k])
       if (member % sparse == 0) patch.push_back({&ladders[member], 1});
-    const Point_scale scale = choose(ladders[k], bias_table(patch, ladder, ends[k]), ladder);
-    chosen[k] = scale.is_chosen ? rungs_around(scale, ladder, ends[k]).end() + spare : ends[k];
+    const Point_scale scale = choose(ladders[k], bias_table(patch, ladder, wanted[k].end()), ladder);
+    chosen[k] = scale.is_chosen ? rungs_around(scale, ladder, wanted[k].end()) : wanted[k];
+    if (!ladder.with_normals && scale.in_ball.rung <= ladder.first + small) chosen[k].elongated = {};
   });
-  for (std::size_t k = 0; k < ends.size(); ++k) {
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
     const Ladder& ladder = sample.ladder(k);
     std::size_t end = 0;
-    for (const std::uint32_t member : patches[k]) end = std::max(end, chosen[member]);
-    if (end > 0 && end <= ladder.axes) ends[k] = std::max(end, ladder.frame + 1);
+    std::array<bool, 2> has_ellipses{ladder.with_normals, ladder.with_normals};
+    for (const std::uint32_t member : patches[k]) {
+      if (member % sparse > 0) continue;
+      end = std::max(end, chosen[member].end() + spare);
+      for (std::size_t e = 0; e < 2; ++e) has_ellipses[e] = has_ellipses[e] || chosen[member].elongated[e].end > 0;
+    }
+    Wanted_rungs& own = wanted[k];
+    if (end > 0 && end <= ladder.axes) own.balls.end = std::max(end, ladder.frame + 1);
+    for (std::size_t e = 0; e < 2; ++e) {
+      own.elongated[e] = has_ellipses[e] ? own.balls : Rung_range();
+      if (!has_ellipses[e]) ladders[k].elongated[e].clear();
+    }
   }
 }
 
@@ -175,33 +190,35 @@ std::vector<Learned_choice> learned_choices(const Cloud& cloud, const Within& wi
   const Patches patches = patches_of(cloud, sample, for_each);
   std::vector<Local_ladder> ladders(sample.size());
   close.resize(sample.size());
-  std::vector<std::size_t> ends(sample.size());
-  for (std::size_t k = 0; k < sample.size(); ++k) ends[k] = sample.ladder(k).radii.size();
+  std::vector<Wanted_rungs> wanted;
+  for (std::size_t k = 0; k < sample.size(); ++k) {
+    const Rung_range all{sample.ladder(k).first, sample.ladder(k).radii.size()};
+    wanted.push_back({all, {all, all}});
+  }
   const auto fit = [&](std::size_t k) {
     const Ladder& ladder = sample.ladder(k);
     Indices near;
-    const Rung_range all{ladder.first, ends[k]};
-    ladders[k] = local_ladder_at(cloud, within, sample.points[k], ladder, {all, {all, all}}, near);
+    ladders[k] = local_ladder_at(cloud, within, sample.points[k], ladder, wanted[k], near);
     std::vector<Indices>().swap(ladders[k].over_surface); // is not needed, and long
     if (sample.ladders.size() == 1)
       close[k] = inside(cloud, near, {cloud.points[sample.points[k]], {}}, ladder.radii[1]);
   };
   for_each((sample.size() + sparse - 1) / sparse, [&](std::size_t n) { fit(n * sparse); });
-  shorten_ladders(sample, patches, ladders, for_each, ends);
+  narrow_ladders(sample, patches, for_each, ladders, wanted);
   for_each(sample.size(), [&](std::size_t k) {
     if (k % sparse > 0) fit(k);
   });
-  const std::vector<double> off_centers = off_centers_of(cloud, within, sample, ladders, ends, for_each);
+  const std::vector<double> off_centers = off_centers_of(cloud, within, sample, ladders, wanted, for_each);
   std::vector<Learned_choice> learned(sample.size());
   for_each(sample.size(), [&](std::size_t k) {
     const Ladder& ladder = sample.ladder(k);
     Indices found;
     const auto near = [&]() -> const Indices& {
-      if (found.empty()) within(sample.points[k], reach(cloud, ladder, ends[k]), found);
+      if (found.empty()) within(sample.points[k], reach(cloud, ladder, wanted[k].end()), found);
       return found;
     };
     const Patch_statistics::Patch patch = patch_by_likeness(patches[k], ladders, off_centers, off_centers[k]);
-    learned[k] = learned_choice(cloud, near, patch, ladders[k], ladder, ends[k], highest);
+    learned[k] = learned_choice(cloud, near, patch, ladders[k], ladder, wanted[k].end(), highest);
   });
   return learned;
 }

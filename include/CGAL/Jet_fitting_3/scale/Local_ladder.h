@@ -47,7 +47,7 @@ struct Local_ladder
 {
   Local_frame frame;
   std::vector<Rung> candidates;               ///< in balls, one a radius
-  std::array<std::vector<Rung>, 2> elongated; ///< in ellipses along x and along y, with normals; or none
+  std::array<std::vector<Rung>, 2> elongated; ///< in ellipses along x and along y; or none
   std::vector<Rung> flat;                     ///< to heights in balls, from positions alone; or none
 
   const std::vector<Rung>& of_shape(Shape shape) const
@@ -361,7 +361,42 @@ inline Local_frame turned(const Local_frame& frame, const Turn& turn)
   return {frame.origin, turned_axes(frame.axes, turn.cosine, turn.sine)};
 }
 
-/// Fits around a point from positions alone, and no ellipses.
+/// To round heights in an ellipse along an axis of the frame, from positions alone.
+/// \param rungs those from the first to the end
+inline std::vector<Rung> rungs_in_ellipse(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                          const Ladder& ladder, Shape shape, const Rung_range& rungs)
+{
+  const Balls balls(ladder, look_at_all(rungs.end));
+  std::vector<std::vector<Vector_3<double>>> shells(rungs.end);
+  for (const std::size_t i : near) {
+    const Vector_3<double> s = (1 / balls.unit()) * frame.axes.in(cloud.points[i] - frame.origin);
+    const auto j = std::size_t(balls.first(squared_radius(shape, dot(s, s), s.x, s.y)));
+    if (j < rungs.end) shells[std::max(j, rungs.first)].push_back(s);
+  }
+  const Row_weights weights(cloud, ladder.noise, balls.unit());
+  std::vector<Rung> result(rungs.end);
+  Round_sums sums;
+  for (std::size_t j = rungs.first; j < rungs.end; ++j) {
+    sums.add<highest_nested_degree>(shells[j].data(), shells[j].size());
+    Round_fit fit(sums, weights.height, highest_nested_degree);
+    result[j].sizes.fill(sums.size());
+    for (std::size_t d = 2; d <= highest_nested_degree; ++d)
+      result[j].fits[d - 2] = turned(with_misfit_as_noise(fit.of_degree(d, balls.unit()).round), 1, 0);
+  }
+  return result;
+}
+
+/// Calls set(the ellipse's number, shape, rungs) for each shape of ellipses that is wanted.
+template <class Set>
+void for_ellipses(const Wanted_rungs& wanted, const Set& set)
+{
+  for (const Shape shape : {Shape::along_x, Shape::along_y}) {
+    const std::size_t k = number_of_ellipse(shape);
+    if (wanted.elongated[k].end > 0) set(k, shape, wanted.elongated[k]);
+  }
+}
+
+/// Fits around a point from positions alone.
 /// \param axis the principal direction, about; if null it is that of degree 2 at ladder.axes
 inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                         const Ladder& ladder, const Wanted_rungs& wanted, const Vector_3<double>* axis)
@@ -381,6 +416,9 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
   };
   put(fits.round, result.candidates);
   put(fits.flat, result.flat);
+  for_ellipses(wanted, [&](std::size_t k, Shape shape, const Rung_range& rungs) {
+    result.elongated[k] = rungs_in_ellipse(cloud, near, result.frame, ladder, shape, rungs);
+  });
   result.over_surface.resize(result.candidates.size());
   for (std::size_t j = 0; j < over_surface.size(); ++j)
     result.over_surface[result.looks[j].rung] = std::move(over_surface[j]);
@@ -397,11 +435,9 @@ inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near,
   Local_ladder result;
   result.frame = turned(frame, turn);
   result.candidates = turned(fits, turn.cosine, turn.sine);
-  for (const Shape shape : {Shape::along_x, Shape::along_y}) {
-    const std::size_t k = number_of_ellipse(shape);
-    if (wanted.elongated[k].end > 0)
-      result.elongated[k] = turned(neighbors.fits(shape, wanted.elongated[k], turn.cosine, turn.sine), 1, 0);
-  }
+  for_ellipses(wanted, [&](std::size_t k, Shape shape, const Rung_range& rungs) {
+    result.elongated[k] = turned(neighbors.fits(shape, rungs, turn.cosine, turn.sine), 1, 0);
+  });
   return result;
 }
 

@@ -91,7 +91,7 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, cons
       const double v = variance(fit, target);
       Squared_bias b = bias.in(shape)[degree - 2][j];
       if (j < own.size() && own[j] > 0) b.add_proved(own[j]);
-      const double risk = (b.value + v) * (shape == Shape::flat_ball ? constant::flat_risk : 1);
+      const double risk = (b.value + v) * (shape == Shape::ball || ladder.with_normals ? 1 : constant::other_risk);
       if (!(risk < least)) continue;
       least = risk;
       choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, b.most, b.evidence,
@@ -143,11 +143,13 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = *choices_of(scale)[target];
-    const double least = choose(local, table[target], own, Shape::ball, target, ladder, unknown, choice);
-    scale.is_chosen = scale.is_chosen && least < unknown;
-    if (target == 1) scale.in_ball = choice;
-    if (other_shape(target, ladder) != Shape::ball)
-      choose(local, table[target], own, other_shape(target, ladder), target, ladder, least, choice);
+    double least = unknown;
+    for (const Shape shape : shapes_of(target, ladder)) {
+      least = choose(local, table[target], own, shape, target, ladder, least, choice);
+      if (shape != Shape::ball) continue;
+      scale.is_chosen = scale.is_chosen && least < unknown;
+      if (target == 1) scale.in_ball = choice;
+    }
   }
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;
@@ -167,11 +169,12 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
   return {error(monge.axes.x, monge.k1), error(monge.axes.y, monge.k2)};
 }
 
-/// A part of a ladder: what was chosen at a point, from positions alone, with the surfaces that cut for it.
+/// A part of a ladder: the balls that were chosen at a point, from positions alone, and the surfaces that cut for them.
 inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local)
 {
   std::vector<bool> is_looked_at(local.looks.size()), is_cut(local.looks.size());
   for (const Chosen_fit* c : choices_of(scale)) {
+    if (is_ellipse(c->shape)) continue;
     is_looked_at[c->rung] = true;
     if (c->degree == 2) continue;
     is_cut[c->rung] = true;

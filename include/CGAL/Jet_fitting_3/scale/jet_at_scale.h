@@ -73,7 +73,8 @@ Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Loc
 inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale,
                                    const Chosen_fit& c)
 {
-  if (cloud.has_normals() || c.degree == 2) return inside(cloud, near, scale.frame, c.radius, c.shape);
+  if (cloud.has_normals() || c.degree == 2 || is_ellipse(c.shape))
+    return inside(cloud, near, scale.frame, c.radius, c.shape);
   return scale.over_surface[c.rung];
 }
 
