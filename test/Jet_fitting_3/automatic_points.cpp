@@ -856,8 +856,8 @@ void misuse()
 int main()
 {
   for (double noise : {0.003, 0.02}) beside_fixed_choices(noise);
-  lines_of_surfaces(true, 0.002, 0.5);
-  lines_of_surfaces(false, 0.004, 0.55);
+  lines_of_surfaces(true, 0.002, 0.3);
+  lines_of_surfaces(false, 0.004, 0.45);
   errors_alike_at_neighbors();
   short_waves();
   normals_left_aside();

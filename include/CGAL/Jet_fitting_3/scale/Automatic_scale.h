@@ -167,7 +167,7 @@ private:
       scale.has_neighbors = has_neighbors(local, rung_of_neighbors(ladder));
       scale.level = level;
       scale.frame = local.frame;
-      scale.in_ball = {ladder.radii[rungs - 1], Shape::ball, rungs - 1, 2, unknown, unknown, unknown, 0};
+      scale.in_ball = {ladder.radii[rungs - 1], Shape::ball, rungs - 1, 2, unknown, unknown, unknown};
       scale.normal = scale.in_ball;
       scale.curvatures.fill(scale.in_ball);
     }

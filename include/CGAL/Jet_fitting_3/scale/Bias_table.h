@@ -36,7 +36,8 @@ constexpr double hidden = 0.25;         ///< what a bias may add to the variance
 constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
 constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
 constexpr double like_off_center = 0.1; ///< difference from which on places tell little of each other
-constexpr double other_risk = 4;        ///< from positions, by how much what is no ball has to be better: not by chance
+constexpr double flat_risk = 4;         ///< by how much heights have to be better than round heights: not by chance
+constexpr double long_risk = 1.5;       ///< likewise ellipses than balls, from positions alone
 } // namespace constant
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -60,6 +61,14 @@ struct Squared_bias
     evidence = std::max(evidence, constant::certain);
   }
 };
+
+/// Squared, with what is uncertain of it. Estimates of a bias are uncertain, and where noise is all there is they are
+/// as large as the noise: without evidence they count for little.
+inline double doubtful_bias(const Squared_bias& bias, double variance)
+{
+  const double evidence = constant::per_shown * std::max(0., bias.evidence - constant::shown);
+  return std::min(constant::bias_factor * bias.most, variance * (constant::hidden + evidence * evidence));
+}
 
 /// Of one target, in one shape: [degree - 2][rung].
 using Bias_in_shape = std::array<std::vector<Squared_bias>, 3>;

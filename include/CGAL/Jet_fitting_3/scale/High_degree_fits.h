@@ -282,7 +282,7 @@ std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indice
   const auto choices = choices_of(scale);
   for (std::size_t t = 0; t < number_of_targets; ++t) {
     const double bias = worse * chosen.squared_biases[t];
-    *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], bias, unknown};
+    *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], constant::bias_factor * bias};
   }
   scale.in_ball = scale.curvatures[0];
   scale.over_surface.resize(rung + 1);

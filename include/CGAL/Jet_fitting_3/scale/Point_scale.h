@@ -30,8 +30,7 @@ struct Chosen_fit
   Shape shape = Shape::ball;
   std::size_t rung = 0, degree = 2;
   double squared_bias = 0, variance = 0; ///< as estimated; squared unit of the target
-  double most_squared_bias = 0;          ///< see Squared_bias
-  double evidence = 0;                   ///< of the bias, see Squared_bias
+  double doubtful_bias = 0;              ///< squared, with what is uncertain of it
   double noise_factor = 1;               ///< of the noise, see Nested_fit
   double misfit = 1;                     ///< see Second_order
   Roundness round{};                     ///< of the heights that are fitted
@@ -45,13 +44,10 @@ inline double radius_of_area(const Chosen_fit& choice)
   return is_ellipse(choice.shape) ? choice.radius / std::sqrt(elongation) : choice.radius;
 }
 
-/// The square of a standard error that contains the bias. Estimates of a bias are uncertain, and where noise is all
-/// there is they are as large as the noise: without evidence they count for little.
+/// The square of a standard error that contains the bias.
 inline double squared_error(const Chosen_fit& choice)
 {
-  const double evidence = constant::per_shown * std::max(0., choice.evidence - constant::shown);
-  return choice.noise_factor * choice.variance + std::min(constant::bias_factor * choice.most_squared_bias,
-                                                          choice.variance * (constant::hidden + evidence * evidence));
+  return choice.noise_factor * choice.variance + choice.doubtful_bias;
 }
 
 /// What was chosen at a point, all in one frame, whose x axis is the pilot's principal direction of the larger
@@ -75,6 +71,13 @@ constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(num
 /// Squared biases that the fits of a point itself show, whatever their shape and degree: [target][rung], or none.
 using Own_bias = std::array<std::vector<double>, number_of_targets>;
 
+/// By how much candidates have to be better than balls.
+constexpr double risk_factor(Shape shape, const Ladder& ladder)
+{
+  if (shape == Shape::ball || ladder.with_normals) return 1;
+  return shape == Shape::flat_ball ? constant::flat_risk : constant::long_risk;
+}
+
 /// The candidate of a shape with the least squared bias plus variance if that is less than `least`; the smallest
 /// radius, the lowest degree if several.
 /// \return what is the least now
@@ -91,10 +94,10 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, cons
       const double v = variance(fit, target);
       Squared_bias b = bias.in(shape)[degree - 2][j];
       if (j < own.size() && own[j] > 0) b.add_proved(own[j]);
-      const double risk = (b.value + v) * (shape == Shape::ball || ladder.with_normals ? 1 : constant::other_risk);
+      const double risk = (b.value + v) * risk_factor(shape, ladder);
       if (!(risk < least)) continue;
       least = risk;
-      choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, b.most, b.evidence,
+      choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, doubtful_bias(b, v),
                 fit.noise_factor, fit.misfit, fit.round};
     }
   return least;
@@ -135,7 +138,8 @@ inline std::size_t largest_rung(const Point_scale& scale)
   return rung;
 }
 
-/// All targets.
+/// All targets. From positions alone ellipses are trusted no more than balls: they reach to where the bias is larger,
+/// as at borders, and the few neighbors of small ones show little of it.
 inline Point_scale choose(const Local_ladder& local, const Bias_table& table, const Ladder& ladder,
                           const Own_bias& own = {})
 {
@@ -143,9 +147,11 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = *choices_of(scale)[target];
-    double least = unknown;
+    double least = unknown, of_balls = 0; // doubtful bias
     for (const Shape shape : shapes_of(target, ladder)) {
       least = choose(local, table[target], own, shape, target, ladder, least, choice);
+      if (!is_ellipse(shape)) of_balls = choice.doubtful_bias;
+      else if (is_ellipse(choice.shape) && !ladder.with_normals) choice.doubtful_bias = of_balls;
       if (shape != Shape::ball) continue;
       scale.is_chosen = scale.is_chosen && least < unknown;
       if (target == 1) scale.in_ball = choice;
