@@ -93,13 +93,21 @@ jets::Options with_normals()
 }
 
 // The least of some fixed choices, which nobody knows without the truth.
-double best_fixed_error(const Cloud& cloud, std::initializer_list<std::ptrdiff_t> counts)
+// \param error of their forms
+template <class Error>
+double best_fixed_error(const std::vector<Oriented>& points, std::initializer_list<std::ptrdiff_t> counts,
+                        const Error& error)
 {
   double best = std::numeric_limits<double>::infinity();
   for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
-    for (const std::ptrdiff_t k : counts)
-      best = std::min(best, rms_error(forms_of(cloud.points, jets::nearest(k), degree), cloud));
+    for (const std::ptrdiff_t k : counts) best = std::min(best, error(forms_of(points, jets::nearest(k), degree)));
   return best;
+}
+
+double best_fixed_error(const Cloud& cloud, std::initializer_list<std::ptrdiff_t> counts)
+{
+  return best_fixed_error(cloud.points, counts,
+                          [&](const std::vector<Form>& forms) { return rms_error(forms, cloud); });
 }
 
 // Nothing chosen by hand is as good as half of what the best of these fixed choices is wrong by; automatic() is near
@@ -132,6 +140,7 @@ std::vector<Oriented> ruled_points(bool is_cone, std::size_t n, double noise)
   return points;
 }
 
+// Of the curvature that is 0.
 double error_along_lines(const std::vector<Form>& forms)
 {
   double sum = 0;
@@ -144,10 +153,7 @@ double error_along_lines(const std::vector<Form>& forms)
 void lines_of_surfaces(bool is_cone, double noise, double most)
 {
   const std::vector<Oriented> points = ruled_points(is_cone, 4000, noise);
-  double best = std::numeric_limits<double>::infinity();
-  for (const std::ptrdiff_t k : {20, 40, 80, 160, 320})
-    for (const std::size_t degree : {std::size_t(2), std::size_t(4)})
-      best = std::min(best, error_along_lines(forms_of(points, jets::nearest(k), degree)));
+  const double best = best_fixed_error(points, {20, 40, 80, 160, 320}, error_along_lines);
   const double chosen = error_along_lines(forms_of(points, jets::automatic(), 4));
   const std::string name = (is_cone ? "along a cone" : "along a wave") + (", noise " + text(noise));
   std::cout << name << ": " << chosen << ", best fixed choice " << best << std::endl;
