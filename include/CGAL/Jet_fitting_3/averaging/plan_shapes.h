@@ -103,19 +103,16 @@ std::vector<Reference> references(const Second_order_fits<Neighbors>& fits, cons
   std::vector<Reference> result;
   const Choice& choice = place.choices[together];
   if (!choice.exists() || fits.surface().has_slopes()) return result;
-  const auto is_hardly_biased = [&](std::size_t c) {
-    const Own_errors own(place.candidates[0][c], targets_of_order_2[together]);
-    return squared_bias(model.terms, own.terms) < most * fits.square_of_noise(place.vertex) * own.variance;
-  };
   const Candidate_grid& grid = fits.grid();
   const double square_of_radius = mean_scale(choice, grid).square_of_radius;
-  for (std::size_t j = 0; j < grid.radii.size() && grid.radii[j] * grid.radii[j] <= square_of_radius; ++j) {
-    std::size_t c = j;
-    while (c < grid.size() && !is_hardly_biased(c)) c += grid.radii.size();
-    if (c >= grid.size()) continue;
-    const Candidate& candidate = place.candidates[0][c];
-    result.push_back({c, covariance(candidate, candidate, targets_of_order_2[together]) / candidate.variance});
-  }
+  for (std::size_t j = 0; j < grid.radii.size() && grid.radii[j] * grid.radii[j] <= square_of_radius; ++j)
+    for (std::size_t c = j; c < grid.size(); c += grid.radii.size()) {
+      const Candidate& candidate = place.candidates[0][c];
+      const Own_errors own(candidate, targets_of_order_2[together]);
+      if (!(squared_bias(model.terms, own.terms) < most * fits.square_of_noise(place.vertex) * own.variance)) continue;
+      result.push_back({c, own.variance / candidate.variance});
+      break;
+    }
   return result;
 }
 
