@@ -129,6 +129,54 @@ void exact_normals()
   check_le(std::cbrt(product), 0.7, "exact normals beside the better of one ring and positions");
 }
 
+// Part of a cone of m x n vertices, around it and along its lines, moved by up to 0.3 of a step, at borders along them.
+Analytic_mesh irregular_cone(std::size_t m, std::size_t n)
+{
+  constexpr double slope = .45, per_length = .9119215051751062; // of the radius; 1 / sqrt(1 + slope^2)
+  Analytic_mesh mesh{"cone", {}, {}, [=](const Point& p) {
+                       const double r = std::hypot(p.x, p.y);
+                       return Curvatures{0, -per_length / r, per_length * Point(p.x / r, p.y / r, -slope)};
+                     }};
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> shift(-.3, .3);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const bool is_inside = j > 0 && j + 1 < n;
+      const double u = 2 * std::acos(-1.) * (double(i) + shift(random)) / double(m);
+      const double z = .8 + 2.4 * (double(j) + (is_inside ? shift(random) : 0)) / double(n - 1), r = slope * z;
+      mesh.points.emplace_back(r * std::cos(u), r * std::sin(u), z);
+    }
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j + 1 < n; ++j) {
+      const std::size_t a = i * n + j, b = (i + 1) % m * n + j;
+      mesh.faces.push_back({a, b, b + 1});
+      mesh.faces.push_back({a, b + 1, a + 1});
+    }
+  return mesh;
+}
+
+// Beside the middle of its samples what the slopes leave settles in more passes than inside.
+void borders_of_a_cone()
+{
+  const Analytic_mesh exact = irregular_cone(50, 60);
+  Noisy_mesh mesh(exact, 0, 0);
+  const auto error_at_borders = [&] {
+    double sum = 0, count = 0;
+    for (const Vertex v : mesh.mesh.vertices()) {
+      if (!mesh.mesh.is_border(v)) continue;
+      sum += std::pow(mesh.forms[v].principal_curvatures(0) - mesh.truth[v].k1, 2) +
+             std::pow(mesh.forms[v].principal_curvatures(1) - mesh.truth[v].k2, 2);
+      count += 2;
+    }
+    return std::sqrt(sum / count);
+  };
+  mesh.estimate(jets::automatic(), false);
+  const double without = error_at_borders();
+  mesh.estimate(jets::automatic(), true);
+  std::cout << "borders of a cone: " << error_at_borders() << ", without normals " << without << '\n';
+  check_le(error_at_borders(), .5 * without, "exact normals at the borders of a cone beside none");
+}
+
 // Edges turn by up to 20 degrees, and fits from positions have a bias that looks like noise. Potentials have none.
 void coarse_spheres()
 {
@@ -400,6 +448,7 @@ void intervals()
 int main()
 {
   exact_normals();
+  borders_of_a_cone();
   coarse_spheres();
   noisy_normals();
   normals_of_the_faces();

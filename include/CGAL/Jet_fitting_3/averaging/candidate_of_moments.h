@@ -158,32 +158,40 @@ inline numeric::Vector_field<double> defect_of_slopes(const Coefficients& terms,
   return defect.slopes;
 }
 
+/// Whether samples are not around the origin, as at borders: their middle is beside it.
+inline bool are_one_sided(const Moments& moments, double radius) { return !(moments.off_center() < radius / 4); }
+
 /// The coefficients of z (1 + n_z) / 2 up to an order. What of the slopes is not its gradient is subtracted: it begins
-/// with order 3, and follows from terms of one order less, which each pass knows better.
+/// with order 3, and follows from terms of one order less, which each pass knows better: by two orders where samples
+/// are around the origin, so that half as many passes as the degree will do. Else passes go on until they settle, and
+/// the square of what one changes has to be less than half of that before: those that settle slowly settle in a wrong
+/// place.
 /// \return none if the first pass changes second derivatives by more than their size, as where samples hardly
-///         determine them, or a further one by more than the first one, and not by rounding alone
+///         determine them, or a further one by more than the first one or that half, and not by rounding alone
 inline std::optional<Coefficients> solution_for_potential(const Moments& moments, const Normal_matrix& matrix,
-                                                          std::size_t degree, std::size_t order)
+                                                          std::size_t degree, std::size_t order, bool one_sided)
 {
   const std::size_t order_of_slopes = std::max<std::size_t>(3, degree - 1),
                     known = std::max<std::size_t>(2, degree - 2);
+  const double rounding = one_sided ? 1e-10 : 1e-8; // of squares
+  const auto square_of_second_order = [](const Coefficients& c) {
+    double sum = 0;
+    for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) sum += c[t] * c[t];
+    return sum;
+  };
   Coefficients solution = matrix.solution(moments.heights, std::max(known, order));
-  constexpr double rounding = 1e-8; // of squares
-  double first = 0;
-  for (std::size_t pass = 0; pass < degree / 2; ++pass) {
-    const Coefficients before = solution;
-    const numeric::Vector_field<double> defect = defect_of_slopes(before, known, order_of_slopes);
+  double most = square_of_second_order(solution);
+  for (std::size_t pass = 1;; ++pass) {
+    Coefficients change = solution;
+    const numeric::Vector_field<double> defect = defect_of_slopes(solution, known, order_of_slopes);
     solution = matrix.solution(without_defect(moments, degree, defect, order_of_slopes), std::max(known, order));
-    double change = 0, size = 0, size_before = 0;
-    for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) {
-      change += (solution[t] - before[t]) * (solution[t] - before[t]);
-      size += solution[t] * solution[t];
-      size_before += before[t] * before[t];
-    }
-    if (pass == 0) first = std::min(change, size_before);
-    if (!(change <= std::max(first, rounding * size))) return std::nullopt;
+    for (std::size_t t = 0; t < change.size(); ++t) change[t] -= solution[t];
+    const double square = square_of_second_order(change), least = rounding * square_of_second_order(solution);
+    if (!(square <= std::max(most, least))) return std::nullopt;
+    if (pass >= degree / 2 && (!one_sided || square <= least)) return solution;
+    if (one_sided) most = square / 2;
+    else if (pass == 1) most = std::min(most, square);
   }
-  return solution;
 }
 
 /// Whether a term of the highest order is hardly determined where the samples are, as far from their middle as they
@@ -207,7 +215,7 @@ inline bool hides_highest_order(const Moments& moments, const Normal_matrix& mat
 /// degrees 2, 4, 6 can be fitted to 1, 2, 3 rings of a regular mesh; 1.3 where their middle is beside it, at borders.
 inline bool are_enough(const Moments& moments, std::size_t degree, double radius)
 {
-  const double least = moments.off_center() < radius / 4 ? 1.15 : 1.3;
+  const double least = are_one_sided(moments, radius) ? 1.3 : 1.15;
   return moments.equations(degree, radius) >= least * double(number_of_jet_coefficients(degree));
 }
 
@@ -222,9 +230,9 @@ inline Candidate candidate(const Moments& moments, std::size_t degree, std::size
   if (degree < order || !are_enough(moments, degree, radius)) return result;
   const Normal_matrix matrix(moments, degree);
   if (!matrix.is_regular()) return result;
-  const std::optional<Coefficients> found = moments.are_of_potentials
-                                                ? solution_for_potential(moments, matrix, degree, order)
-                                                : matrix.solution(moments.heights, order);
+  const std::optional<Coefficients> found =
+      moments.are_of_potentials ? solution_for_potential(moments, matrix, degree, order, are_one_sided(moments, radius))
+                                : matrix.solution(moments.heights, order);
   if (!found) return result;
   const Coefficients& solution = *found;
   result.height = solution[0];
