@@ -98,11 +98,12 @@ inline Analytic_mesh sphere(double radius, int n)
 }
 
 // A grid of m x n vertices, closed in the directions in which it wraps, cut into triangles or left in quadrangles.
-inline std::vector<std::vector<std::size_t>> grid_faces(std::size_t m, std::size_t n, bool wraps, bool quadrangles)
+inline std::vector<std::vector<std::size_t>> grid_faces(std::size_t m, std::size_t n, bool wraps_m, bool wraps_n,
+                                                        bool quadrangles = false)
 {
   std::vector<std::vector<std::size_t>> faces;
-  for (std::size_t i = 0; i < (wraps ? m : m - 1); ++i)
-    for (std::size_t j = 0; j < (wraps ? n : n - 1); ++j) {
+  for (std::size_t i = 0; i < (wraps_m ? m : m - 1); ++i)
+    for (std::size_t j = 0; j < (wraps_n ? n : n - 1); ++j) {
       const auto at = [&](std::size_t di, std::size_t dj) { return (i + di) % m * n + (j + dj) % n; };
       if (quadrangles) {
         faces.push_back({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
@@ -125,7 +126,7 @@ inline Analytic_mesh torus(double big, double small, std::size_t m, std::size_t 
       const double s = turn * double(i) / double(m), t = turn * double(j) / double(n), ring = big + small * std::cos(t);
       mesh.points.emplace_back(ring * std::cos(s), ring * std::sin(s), small * std::sin(t));
     }
-  mesh.faces = grid_faces(m, n, true, quadrangles);
+  mesh.faces = grid_faces(m, n, true, true, quadrangles);
   mesh.truth = [big, small](const Point& p) {
     const double distance = std::hypot(p.x, p.y), cosine = (distance - big) / small;
     const Point normal(cosine * p.x / distance, cosine * p.y / distance, p.z / small);
@@ -168,7 +169,7 @@ inline Analytic_mesh graph(const std::string& name, std::size_t n, const Height_
       const double x = double(i) / double(n - 1), y = double(j) / double(n - 1);
       mesh.points.emplace_back(x, y, h(x, y)[0]);
     }
-  mesh.faces = grid_faces(n, n, false, quadrangles);
+  mesh.faces = grid_faces(n, n, false, false, quadrangles);
   mesh.truth = curvatures_of_graph(h);
   return mesh;
 }

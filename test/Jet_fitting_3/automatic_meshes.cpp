@@ -539,16 +539,6 @@ Analytic_mesh cylinder_of_long_triangles(std::size_t around, std::size_t rows, d
     for (std::size_t j = 0; j < rows; ++j)
       mesh.points.emplace_back(std::cos(step * double(i)), std::sin(step * double(i)), ratio * step * double(j));
   mesh.faces = grid_faces(around, rows, true, false);
-  // the grid wraps in both directions: the faces between the last row and the first one go
-  const auto wraps = [rows](const std::vector<std::size_t>& face) {
-    std::size_t first = 0, last = 0;
-    for (const std::size_t i : face) {
-      first += i % rows == 0;
-      last += i % rows == rows - 1;
-    }
-    return first > 0 && last > 0;
-  };
-  mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), wraps), mesh.faces.end());
   mesh.truth = [](const Point& p) { return Curvatures{0, -1, Point(p.x, p.y, 0)}; };
   return mesh;
 }

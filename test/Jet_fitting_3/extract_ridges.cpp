@@ -468,12 +468,7 @@ Analytic_mesh tube(double r, double s, std::size_t m, std::size_t n)
       const double radius = r + (s - r) * z;
       mesh.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 3 * z);
     }
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j + 1 < n; ++j) {
-      const std::size_t p = i * n + j, q = (i + 1) % m * n + j;
-      mesh.faces.push_back({p, q, q + 1});
-      mesh.faces.push_back({p, q + 1, p + 1});
-    }
+  mesh.faces = grid_faces(m, n, true, false);
   return mesh;
 }
 

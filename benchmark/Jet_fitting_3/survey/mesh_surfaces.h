@@ -73,12 +73,7 @@ inline Mesh_with_truth mesh_of(const std::string& name, const Parametric_surface
       mesh.points.emplace_back(x[0].value, x[1].value, x[2].value);
       mesh.truth.push_back(curvatures(x));
     }
-  for (std::size_t i = 0; i + (s.wraps_u ? 0 : 1) < s.m; ++i)
-    for (std::size_t j = 0; j + (s.wraps_v ? 0 : 1) < s.n; ++j) {
-      const auto at = [&](std::size_t di, std::size_t dj) { return (i + di) % s.m * s.n + (j + dj) % s.n; };
-      mesh.faces.push_back({at(0, 0), at(1, 0), at(1, 1)});
-      mesh.faces.push_back({at(0, 0), at(1, 1), at(0, 1)});
-    }
+  mesh.faces = test::grid_faces(s.m, s.n, s.wraps_u, s.wraps_v);
   return mesh;
 }
 

@@ -174,19 +174,17 @@ inline std::optional<Coefficients> solution_for_potential(const Moments& moments
   const std::size_t order_of_slopes = std::max<std::size_t>(3, degree - 1),
                     known = std::max<std::size_t>(2, degree - 2);
   const double rounding = one_sided ? 1e-10 : 1e-8; // of squares
-  const auto square_of_second_order = [](const Coefficients& c) {
-    double sum = 0;
-    for (std::size_t t = term_index(2, 0); t < term_index(3, 0); ++t) sum += c[t] * c[t];
-    return sum;
+  const auto second_order = [](const Coefficients& c) {
+    return std::array<double, 3>{c[term_index(2, 0)], c[term_index(2, 1)], c[term_index(2, 2)]};
   };
   Coefficients solution = matrix.solution(moments.heights, std::max(known, order));
-  double most = square_of_second_order(solution);
+  double most = squared_distance(second_order(solution), {});
   for (std::size_t pass = 1;; ++pass) {
-    Coefficients change = solution;
+    const std::array<double, 3> before = second_order(solution);
     const numeric::Vector_field<double> defect = defect_of_slopes(solution, known, order_of_slopes);
     solution = matrix.solution(without_defect(moments, degree, defect, order_of_slopes), std::max(known, order));
-    for (std::size_t t = 0; t < change.size(); ++t) change[t] -= solution[t];
-    const double square = square_of_second_order(change), least = rounding * square_of_second_order(solution);
+    const double square = squared_distance(before, second_order(solution));
+    const double least = rounding * squared_distance(second_order(solution), {});
     if (!(square <= std::max(most, least))) return std::nullopt;
     if (pass >= degree / 2 && (!one_sided || square <= least)) return solution;
     if (one_sided) most = square / 2;
