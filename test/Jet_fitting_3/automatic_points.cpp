@@ -871,7 +871,8 @@ int main()
   what_was_chosen();
   without_noise();
   for (const double s : {2., 3.})
-    for (const double noise : {0., 0.001, 0.01}) bump_in_a_plane(s, noise, noise > 0 ? 3 : 1);
+    for (const double noise : {0., 0.001, 0.01}) bump_in_a_plane(s, noise, noise > 0 ? 2.2 : 1);
+  bump_in_a_plane(3, 0.05, 2.2);
   degenerate_sets();
   for (const double ratio : {0.3, 0.1, 10.})
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);

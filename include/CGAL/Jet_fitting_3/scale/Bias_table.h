@@ -259,9 +259,9 @@ inline std::vector<double> effective_radii(const Patch_statistics::Patch& patch,
 /// the next larger balls, beyond noise.
 class Roughness
 {
-  static constexpr std::size_t larger = 2; // balls
-
 public:
+  static constexpr std::size_t larger = 2; ///< so many balls are looked at
+
   Roughness(const Patch_statistics& statistics, const Ladder& ladder, Shape shape, std::size_t end) : m_squares(end)
   {
     if (ladder.with_normals) return; // noise is told from normals: what small balls see is the surface
@@ -278,10 +278,16 @@ public:
   /// \param end of the rungs below the one that is compared \param square of the difference that is found
   double squared_error(std::size_t k, std::size_t end, double square) const
   {
-    constexpr double part = 0.25, more = 3; // than balls differ by that share half of their samples
     double most = 0;
     for (std::size_t l = 1; l <= larger && k + l < end; ++l) most = std::max(most, m_squares[k][l - 1]);
-    return more * std::max(0., most - part * std::max(0., square));
+    return squared_error(most, square);
+  }
+
+  /// The same where the larger balls differ from the reference by this at most, squared.
+  static double squared_error(double of_larger, double square)
+  {
+    constexpr double part = 0.25, more = 3; // than balls differ by that share half of their samples
+    return more * std::max(0., of_larger - part * std::max(0., square));
   }
 
 private:

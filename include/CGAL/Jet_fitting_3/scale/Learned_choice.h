@@ -42,11 +42,11 @@ struct Chosen_nearby
   }
 };
 
-inline Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local)
+inline Chosen_nearby chosen_nearby(const Point_scale& scale, const Local_ladder& local, const Ladder& ladder)
 {
   if (!scale.is_chosen || local.looks.empty()) return {};
   Chosen_nearby chosen;
-  chosen.looks = looks_at_choice(scale, local);
+  chosen.looks = looks_at_choice(scale, local, ladder);
   const auto choices = choices_of(scale);
   for (std::size_t t = 0; t < number_of_targets; ++t) {
     const Chosen_fit& c = *choices[t];
@@ -173,7 +173,7 @@ Learned_choice learned_choice(const Cloud& cloud, const Near& near, const Patch_
   if (!cloud.has_normals()) learned.misfits = usual_misfits(patch, end);
   Point_scale scale = own_choice(cloud, near, local, learned.table, learned.misfits, ladder, end, highest);
   if (is_of_high_degree(scale)) scale = choose(local, learned.table, ladder);
-  else learned.chosen = chosen_nearby(scale, local);
+  else learned.chosen = chosen_nearby(scale, local, ladder);
   if (end < ladder.radii.size()) learned.chosen.factor = 8; // misfit is most of the noise, and that is by chance
   learned.wanted = rungs_around(scale, ladder, end);
   learned.wanted.balls.end = std::max(learned.wanted.balls.end, std::min(ladder.fewest_rungs(), end));

@@ -32,6 +32,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 using numeric::Turn;
 
+/// The least neighbors of a candidate: twice its unknowns.
+constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
+
 /// The fits of degrees 2, 3, 4 for one radius.
 struct Rung
 {

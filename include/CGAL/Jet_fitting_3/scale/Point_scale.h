@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Bias_table.h>
+#include <CGAL/Jet_fitting_3/scale/Own_references.h>
 #include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
@@ -65,10 +66,7 @@ struct Point_scale
   bool has_neighbors = true; ///< enough for any fit
 };
 
-/// The least neighbors of a candidate: twice its unknowns.
-constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
-
-/// Squared biases that the fits of a point itself show, whatever their shape and degree: [target][rung], or none.
+/// Squared biases that what fits of a point leave shows, whatever their shape and degree: [target][rung], or none.
 using Own_bias = std::array<std::vector<double>, number_of_targets>;
 
 /// By how much candidates have to be better than balls.
@@ -81,8 +79,9 @@ constexpr double risk_factor(Shape shape, const Ladder& ladder)
 /// The candidate of a shape with the least squared bias plus variance if that is less than `least`; the smallest
 /// radius, the lowest degree if several.
 /// \return what is the least now
-inline double choose(const Local_ladder& local, const Bias_of_target& bias, const Own_bias& own_bias, Shape shape,
-                     std::size_t target, const Ladder& ladder, double least, Chosen_fit& choice)
+inline double choose(const Local_ladder& local, const Bias_of_target& bias, const Own_bias& own_bias,
+                     const Own_references& references, Shape shape, std::size_t target, const Ladder& ladder,
+                     double least, Chosen_fit& choice)
 {
   const std::vector<double>& own = own_bias[target];
   const std::vector<Rung>& rungs = local.of_shape(shape);
@@ -93,7 +92,9 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, cons
       const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);
       Squared_bias b = bias.in(shape)[degree - 2][j];
-      if (j < own.size() && own[j] > 0) b.add_proved(own[j]);
+      const double proved =
+          std::max(j < own.size() ? own[j] : 0, references.squared_bias(fit, shape, target, degree, j));
+      if (proved > 0) b.add_proved(proved);
       const double risk = (b.value + v) * risk_factor(shape, ladder);
       if (!(risk < least)) continue;
       least = risk;
@@ -143,13 +144,14 @@ inline std::size_t largest_rung(const Point_scale& scale)
 inline Point_scale choose(const Local_ladder& local, const Bias_table& table, const Ladder& ladder,
                           const Own_bias& own = {})
 {
+  const Own_references references(local, table, ladder);
   Point_scale scale;
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = *choices_of(scale)[target];
     double least = unknown, of_balls = 0; // doubtful bias
     for (const Shape shape : shapes_of(target, ladder)) {
-      least = choose(local, table[target], own, shape, target, ladder, least, choice);
+      least = choose(local, table[target], own, references, shape, target, ladder, least, choice);
       if (!is_ellipse(shape)) of_balls = choice.doubtful_bias;
       else if (is_ellipse(choice.shape) && !ladder.with_normals) choice.doubtful_bias = of_balls;
       if (shape != Shape::ball) continue;
@@ -175,17 +177,25 @@ inline std::array<double, 2> curvature_errors(const Point_scale& scale, const Mo
   return {error(monge.axes.x, monge.k1), error(monge.axes.y, monge.k2)};
 }
 
-/// A part of a ladder: the balls that were chosen at a point, from positions alone, and the surfaces that cut for them.
-inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local)
+/// A part of a ladder: the balls that were chosen at a point, from positions alone, a smaller one that tells where they
+/// do not suit another point, and the surfaces that cut for them.
+inline std::vector<Look> looks_at_choice(const Point_scale& scale, const Local_ladder& local, const Ladder& ladder)
 {
+  constexpr std::size_t smaller = 2; // rungs
   std::vector<bool> is_looked_at(local.looks.size()), is_cut(local.looks.size());
+  const auto add = [&](std::size_t rung, std::size_t degree) {
+    is_looked_at[rung] = true;
+    if (degree == 2) return;
+    is_cut[rung] = true;
+    is_looked_at[local.looks[rung].surface] = true;
+  };
+  std::size_t least = local.looks.size() - 1;
   for (const Chosen_fit* c : choices_of(scale)) {
-    if (is_ellipse(c->shape)) continue;
-    is_looked_at[c->rung] = true;
-    if (c->degree == 2) continue;
-    is_cut[c->rung] = true;
-    is_looked_at[local.looks[c->rung].surface] = true;
+    if (!is_ellipse(c->shape)) add(c->rung, c->degree);
+    if (c != &scale.normal) least = std::min(least, c->rung);
   }
+  if (least > ladder.first_reference)
+    add(std::max(least, ladder.first_reference + smaller) - smaller, highest_nested_degree);
   std::vector<Look> looks;
   for (const Look& look : local.looks)
     if (is_looked_at[look.rung]) looks.push_back({look.rung, is_cut[look.rung], look.surface});
