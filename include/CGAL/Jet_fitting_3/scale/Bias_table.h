@@ -121,6 +121,12 @@ inline Found found(const Turned_second_order& fit, std::size_t target)
   return {fit.value[target == 0 ? 0 : target + 1], target == 0 ? fit.value[1] : 0, variance(fit, target)};
 }
 
+inline double squared_difference(const Found& a, const Found& b)
+{
+  const double x = a.x - b.x, y = a.y - b.y;
+  return x * x + y * y;
+}
+
 /// An estimate with its standard error.
 struct Estimated
 {
@@ -179,10 +185,10 @@ public:
     for (std::size_t i = 0; i < m_patch.size(); ++i) {
       const Found &candidate = candidates[i], &reference = references[i];
       if (!(candidate.variance < unknown) || !(reference.variance < unknown) || !(reference.variance > 0)) continue;
-      const double x = candidate.x - reference.x, y = candidate.y - reference.y;
       const double weight = m_patch[i].weight, w = weight / (reference.variance * reference.variance);
       total += w;
-      sum += w * (x * x + y * y - std::max(0., reference.variance - candidate.variance));
+      const double noise = std::max(0., reference.variance - candidate.variance);
+      sum += w * (squared_difference(candidate, reference) - noise);
       weights += weight;
       squares += weight * weight;
       ++n;

@@ -25,10 +25,10 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// unlike what is around it, as a bump in a plane. So Lepski (1991) chooses a scale.
 class Own_references
 {
-  // Of a fit: both slopes, the second derivatives together, or one of them.
+  // What of fits is compared: both slopes, the second derivatives together, or one of them.
   struct Part
   {
-    std::size_t first, end; // of the values
+    std::size_t first, end; // of the targets
     double likely;          // squared errors by which they differ at most, but in 1 of 100 cases or so
   };
 
@@ -70,26 +70,24 @@ private:
   // Ellipses are long for one of the second derivatives, and err in the others.
   static Part part_of(Shape shape, std::size_t target)
   {
-    if (target == 0) return {0, 2, 4};
-    if (is_ellipse(shape)) return {target + 1, target + 2, 9};
-    return {2, 5, 4};
+    if (target == 0) return {0, 1, 4};
+    if (is_ellipse(shape)) return {target, target + 1, 9};
+    return {1, number_of_targets, 4};
+  }
+
+  // \param of of(target)
+  template <class Of_target>
+  static double summed(const Part& part, const Of_target& of)
+  {
+    double sum = 0;
+    for (std::size_t target = part.first; target < part.end; ++target) sum += of(target);
+    return sum;
   }
 
   static double squared_difference(const Turned_second_order& a, const Turned_second_order& b, const Part& part)
   {
-    double sum = 0;
-    for (std::size_t i = part.first; i < part.end; ++i) sum += (a.value[i] - b.value[i]) * (a.value[i] - b.value[i]);
-    return sum;
-  }
-
-  // Over the targets that the values belong to. \param of of(target)
-  template <class Of_target>
-  static double summed(const Part& part, const Of_target& of)
-  {
-    if (part.first == 0) return of(0);
-    double sum = 0;
-    for (std::size_t i = part.first; i < part.end; ++i) sum += of(i - 1);
-    return sum;
+    return summed(part,
+                  [&](std::size_t target) { return scale::squared_difference(found(a, target), found(b, target)); });
   }
 
   static double variance(const Turned_second_order& fit, const Part& part)
