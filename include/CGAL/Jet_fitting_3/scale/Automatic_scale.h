@@ -141,11 +141,11 @@ private:
     return scale;
   }
 
-  // Twice the unknowns of degree 2 around the point, and not only beside it, where the samples are those whose normals
+  // Enough for degree 2 around the point, and not only beside it, where the samples are those whose normals
   // are known.
   static bool has_neighbors(const Local_ladder& local, std::size_t rung)
   {
-    return local.candidates[std::min(rung, local.candidates.size() - 1)].size(2) >= least_neighbors_of(2);
+    return local.candidates[std::min(rung, local.candidates.size() - 1)].has_neighbors_for(2);
   }
 
   // Where they are looked for.

@@ -32,9 +32,6 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 using numeric::Turn;
 
-/// The least neighbors of a candidate: twice its unknowns.
-constexpr double least_neighbors_of(std::size_t degree) { return 2. * double(number_of_jet_coefficients(degree)); }
-
 /// The fits of degrees 2, 3, 4 for one radius.
 struct Rung
 {
@@ -43,6 +40,9 @@ struct Rung
 
   double size(std::size_t d) const { return sizes[d - 2]; }
   const Turned_second_order& of_degree(std::size_t d) const { return fits[d - 2]; }
+
+  /// Enough for a candidate: twice its unknowns.
+  bool has_neighbors_for(std::size_t d) const { return size(d) >= 2. * double(number_of_jet_coefficients(d)); }
 };
 
 /// All that is fitted at one point. The x axis of the frame is the principal direction of the larger curvature.

@@ -38,8 +38,8 @@ public:
   {
     if (ladder.with_normals) return;
     for (std::size_t k = ladder.first_reference; k < std::min(local.candidates.size(), biases(0).size()); ++k)
-      if (local.candidates[k].size(4) >= least_neighbors_of(4))
-        m_references.push_back({k, &local.candidates[k].of_degree(4)});
+      if (const Rung& rung = local.candidates[k]; rung.has_neighbors_for(4))
+        m_references.push_back({k, &rung.of_degree(4)});
   }
 
   /// What they prove of a candidate for a target.

@@ -88,16 +88,17 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, cons
   const std::size_t end = std::min(rungs.size(), bias.in(shape).front().size());
   for (std::size_t j = ladder.first; j < end; ++j)
     for (std::size_t degree = 2; degree <= ladder.highest_choice; ++degree) {
-      if (!is_candidate(target, degree) || rungs[j].size(degree) < least_neighbors_of(degree)) continue;
+      if (!is_candidate(target, degree) || !rungs[j].has_neighbors_for(degree)) continue;
       const Turned_second_order& fit = rungs[j].of_degree(degree);
       const double v = variance(fit, target);
       Squared_bias b = bias.in(shape)[degree - 2][j];
+      const auto risk = [&] { return (b.value + v) * risk_factor(shape, ladder); };
+      if (!(risk() < least)) continue; // a proof only adds to it
       const double proved =
           std::max(j < own.size() ? own[j] : 0, references.squared_bias(fit, shape, target, degree, j));
       if (proved > 0) b.add_proved(proved);
-      const double risk = (b.value + v) * risk_factor(shape, ladder);
-      if (!(risk < least)) continue;
-      least = risk;
+      if (!(risk() < least)) continue;
+      least = risk();
       choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, doubtful_bias(b, v),
                 fit.noise_factor, fit.misfit, fit.round};
     }

@@ -26,7 +26,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 inline double misfit(const Local_ladder& local, std::size_t rung)
 {
   const std::vector<Rung>& rungs = local.candidates;
-  return rung < rungs.size() && rungs[rung].size(4) >= least_neighbors_of(4) ? rungs[rung].of_degree(4).misfit : 0;
+  return rung < rungs.size() && rungs[rung].has_neighbors_for(4) ? rungs[rung].of_degree(4).misfit : 0;
 }
 
 /// The medians over a patch, of each rung below an end.
