@@ -441,6 +441,20 @@ void bump_in_a_plane(double s, double noise, double most)
   check_ge(double(held), 0.85 * double(2 * on_bump.size()), name + ": intervals that hold the curvature");
 }
 
+// Some points have ten times the noise of the others, which is no detail.
+void noise_of_few(double noise)
+{
+  Cloud cloud = noisy_torus(6000, noise);
+  const double without = rms_error(forms_of(cloud.points, jets::automatic(), 8), cloud);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, 10 * noise);
+  for (std::size_t i = 0; i < cloud.points.size(); i += 33)
+    cloud.points[i].first += Kernel::Vector_3(normal(random), normal(random), normal(random));
+  const double error = rms_error(forms_of(cloud.points, jets::automatic(), 8), cloud);
+  std::cout << "noise of few " << noise << ": " << error << ", without it " << without << std::endl;
+  check_le(error, 1.7 * without, "errors where some points have more noise than " + text(noise));
+}
+
 // Points on a line determine no surface. On a plane, with noise and without, directions mean little.
 void degenerate_sets()
 {
@@ -870,9 +884,13 @@ int main()
   order_of_points();
   what_was_chosen();
   without_noise();
-  for (const double s : {2., 3.})
-    for (const double noise : {0., 0.001, 0.01}) bump_in_a_plane(s, noise, noise > 0 ? 2.2 : 1);
+  for (const double s : {2., 3.}) bump_in_a_plane(s, 0, 1);
+  for (const double noise : {0.001, 0.01}) {
+    bump_in_a_plane(2, noise, 2.2);
+    for (const double s : {3., 4.}) bump_in_a_plane(s, noise, 1.2);
+  }
   bump_in_a_plane(3, 0.05, 2.2);
+  for (const double noise : {0.001, 0.003}) noise_of_few(noise);
   degenerate_sets();
   for (const double ratio : {0.3, 0.1, 10.})
     for (const double noise : {0., 0.01}) parts_of_several_sizes(ratio, noise);

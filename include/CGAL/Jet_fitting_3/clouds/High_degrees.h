@@ -102,9 +102,8 @@ private:
 
   High_degree_fits fits_at(std::size_t i, const Point_scale& choice, const Ladder& ladder, Indices& near) const
   {
-    const std::size_t end = ladder.first + end_of_steps;
-    m_within(i, reach(m_cloud, ladder, end), near);
-    return fits_of_high_degrees(m_cloud, near, choice.frame, ladder, end, m_top);
+    m_within(i, reach(m_cloud, ladder, ladder.first + end_of_steps), near);
+    return fits_of_high_degrees(m_cloud, near, choice.frame, ladder, m_top);
   }
 
   // Whether it is not noise that the highest degree of the ladder leaves in the first ball.

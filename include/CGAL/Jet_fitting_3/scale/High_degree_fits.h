@@ -25,14 +25,30 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// Of both slopes together, and of each second derivative.
+using Squares_of_targets = std::array<double, number_of_targets>;
+
 /// What a fit of a degree says of slopes and second derivatives.
 struct Fitted_derivatives
 {
-  std::array<double, 5> value{};                    ///< as in Second_order
-  std::array<double, number_of_targets> variance{}; ///< by what the fit leaves; of both slopes together first
-  double residual = 0; ///< the variance of what it leaves of heights, or of the rows where normals are data
-  double freedom = 0;  ///< how many rows there are more than unknowns
+  std::array<double, 5> value{}; ///< as in Second_order
+  Squares_of_targets variance{}; ///< by what the fit leaves
+  double residual = 0;           ///< the variance of what it leaves of heights, or of the rows where normals are data
+  double freedom = 0;            ///< how many rows there are more than unknowns
 };
+
+inline Squares_of_targets squared_differences(const Fitted_derivatives& a, const Fitted_derivatives& b)
+{
+  Squares_of_targets squares{};
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double difference = a.value[k] - b.value[k];
+    squares[k < 2 ? 0 : k - 1] += difference * difference;
+  }
+  return squares;
+}
+
+/// Of the second derivatives together.
+inline double of_curvatures(const Squares_of_targets& squares) { return squares[1] + squares[2] + squares[3]; }
 
 /// How many equations samples make.
 inline std::size_t number_of_rows(const Cloud& cloud, std::size_t samples)
@@ -159,23 +175,31 @@ inline double radius_of_step(const Ladder& ladder, int step)
 /// At one point: [step - first][degree / 2 - 1]; none where there are too few neighbors.
 using High_degree_fits = std::vector<std::vector<Fitted_derivatives>>;
 
-/// Of each ball up to the highest degree for which there are neighbors, 6 at least.
-/// \param near holds the neighbors of the balls below the end, and perhaps others
-inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                             const Ladder& ladder, std::size_t end, std::size_t highest)
+/// Of the samples in a ball up to the highest degree for which there are enough, 6 at least; none where there are not.
+/// \param near holds the neighbors of the ball, and perhaps others
+/// \param has_enough has_enough(degree, samples)
+template <class Has_enough>
+std::vector<Fitted_derivatives> fits_in_ball(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                             double radius, std::size_t highest, const Noise& noise,
+                                             const Has_enough& has_enough)
 {
-  const int first = first_step(cloud.has_normals());
-  High_degree_fits fits(std::size_t(end_of_steps - first));
-  for (std::size_t j = 0; j < fits.size(); ++j) {
-    const int step = first + int(j);
-    if (step >= 0 && ladder.first + std::size_t(step) >= end) break;
-    const double radius = radius_of_step(ladder, step);
-    const Indices neighbors = inside(cloud, near, frame, radius);
-    std::size_t degree = highest;
-    while (degree > highest_nested_degree && !has_neighbors_for(cloud, degree, neighbors)) degree -= 2;
-    if (degree > highest_nested_degree)
-      fits[j] = fits_of_degrees(cloud, neighbors, frame, radius, degree, ladder.noise);
-  }
+  const Indices neighbors = inside(cloud, near, frame, radius);
+  std::size_t degree = highest;
+  while (degree > highest_nested_degree && !has_enough(degree, neighbors)) degree -= 2;
+  if (degree <= highest_nested_degree) return {};
+  return fits_of_degrees(cloud, neighbors, frame, radius, degree, noise);
+}
+
+/// Of each ball. \param near, highest see fits_in_ball()
+inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                             const Ladder& ladder, std::size_t highest)
+{
+  const auto has_enough = [&cloud](std::size_t degree, const Indices& neighbors) {
+    return has_neighbors_for(cloud, degree, neighbors);
+  };
+  High_degree_fits fits;
+  for (int step = first_step(cloud.has_normals()); step < end_of_steps; ++step)
+    fits.push_back(fits_in_ball(cloud, near, frame, radius_of_step(ladder, step), highest, ladder.noise, has_enough));
   return fits;
 }
 
@@ -184,24 +208,26 @@ struct High_degree
 {
   std::size_t degree = 0; ///< 0: none is chosen
   int step = 0;           ///< of the ball, see radius_of_step()
-  std::array<double, number_of_targets> squared_biases{};
+  Squares_of_targets squared_biases{};
+  Squares_of_targets doubtful_biases{}; ///< with what is uncertain of them
   double residual = 0, risk = unknown;
 };
 
 /// Means over some points of what one degree says in one ball.
 struct High_degree_means
 {
-  std::array<double, number_of_targets> squares{}, variances{}; ///< squared differences to the highest degree
+  Squares_of_targets squares{}, variances{}; ///< squared differences to the highest degree
   double residual = 0;
 
   void add(const Fitted_derivatives& fit, const Fitted_derivatives& highest, double weight)
   {
     residual += weight * fit.residual;
-    for (std::size_t k = 0; k < 5; ++k)
-      squares[k < 2 ? 0 : k - 1] += weight * (fit.value[k] - highest.value[k]) * (fit.value[k] - highest.value[k]);
-    for (std::size_t t = 0; t < number_of_targets; ++t) variances[t] += weight * fit.variance[t];
+    const Squares_of_targets differences = squared_differences(fit, highest);
+    for (std::size_t t = 0; t < number_of_targets; ++t) {
+      squares[t] += weight * differences[t];
+      variances[t] += weight * fit.variance[t];
+    }
   }
-  static double of_curvatures(const std::array<double, number_of_targets>& a) { return a[1] + a[2] + a[3]; }
   double risk() const { return of_curvatures(squares) + of_curvatures(variances); }
 };
 
@@ -218,8 +244,7 @@ means_of_degrees(const std::vector<const std::vector<Fitted_derivatives>*>& of_p
     for (std::size_t d = 0; d < degrees; ++d)
       result[d].add((*fits)[d], (*fits)[degrees - 1], 1 / double(of_points.size()));
   High_degree_means &last = result.back(), &before = result[result.size() - 2];
-  const auto curvatures = [](const High_degree_means& m) { return High_degree_means::of_curvatures(m.squares); };
-  const double falls = curvatures(before) / curvatures(result[result.size() - 3]);
+  const double falls = of_curvatures(before.squares) / of_curvatures(result[result.size() - 3].squares);
   for (std::size_t t = 0; t < number_of_targets; ++t) last.squares[t] = (falls < 1 ? falls : 1) * before.squares[t];
   return result;
 }
@@ -239,7 +264,9 @@ inline void choose_degree(const std::vector<High_degree_means>& of_degrees, int 
 {
   for (std::size_t d = highest_nested_degree / 2; d < of_degrees.size(); ++d) {
     const High_degree_means& m = of_degrees[d];
-    if (m.residual >= least && m.risk() < best.risk) best = {2 * d + 2, step, m.squares, m.residual, m.risk()};
+    if (!(m.residual >= least && m.risk() < best.risk)) continue;
+    best = {2 * d + 2, step, m.squares, m.squares, m.residual, m.risk()};
+    for (double& square : best.doubtful_biases) square *= constant::bias_factor;
   }
 }
 
@@ -281,8 +308,13 @@ std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indice
       std::max(std::pow(radius / radius_of_step(ladder, chosen.step), 2 * chosen.degree), d.residual / chosen.residual);
   const auto choices = choices_of(scale);
   for (std::size_t t = 0; t < number_of_targets; ++t) {
-    const double bias = worse * chosen.squared_biases[t];
-    *choices[t] = {radius, Shape::ball, rung, chosen.degree, bias, d.variance[t], constant::bias_factor * bias};
+    *choices[t] = {radius,
+                   Shape::ball,
+                   rung,
+                   chosen.degree,
+                   worse * chosen.squared_biases[t],
+                   d.variance[t],
+                   worse * chosen.doubtful_biases[t]};
   }
   scale.in_ball = scale.curvatures[0];
   scale.over_surface.resize(rung + 1);

@@ -62,8 +62,9 @@ struct Point_scale
   Jet<double> jet{2};                   ///< of the surface in the frame, with the digits of normal equations
   std::vector<Indices> over_surface;    ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
   std::size_t level = 0;                ///< of the density of points, which has a ladder of its own
-  bool is_chosen = true;     ///< false where no bias is known: no point of the subsample nearby, too few points
-  bool has_neighbors = true; ///< enough for any fit
+  bool is_unlike_others = false; ///< second derivatives would be others but for a bias that only this point shows
+  bool is_chosen = true;         ///< false where no bias is known: no point of the subsample nearby, too few points
+  bool has_neighbors = true;     ///< enough for any fit
 };
 
 /// Squared biases that what fits of a point leave shows, whatever their shape and degree: [target][rung], or none.
@@ -76,12 +77,18 @@ constexpr double risk_factor(Shape shape, const Ladder& ladder)
   return shape == Shape::flat_ball ? constant::flat_risk : constant::long_risk;
 }
 
+/// The least squared bias plus variance of candidates.
+struct Least_risk
+{
+  double value = unknown;
+  double as_others = unknown; ///< if their own point proved nothing of their bias
+};
+
 /// The candidate of a shape with the least squared bias plus variance if that is less than `least`; the smallest
 /// radius, the lowest degree if several.
-/// \return what is the least now
-inline double choose(const Local_ladder& local, const Bias_of_target& bias, const Own_bias& own_bias,
-                     const Own_references& references, Shape shape, std::size_t target, const Ladder& ladder,
-                     double least, Chosen_fit& choice)
+inline void choose(const Local_ladder& local, const Bias_of_target& bias, const Own_bias& own_bias,
+                   const Own_references& references, Shape shape, std::size_t target, const Ladder& ladder,
+                   Least_risk& least, Chosen_fit& choice)
 {
   const std::vector<double>& own = own_bias[target];
   const std::vector<Rung>& rungs = local.of_shape(shape);
@@ -93,16 +100,16 @@ inline double choose(const Local_ladder& local, const Bias_of_target& bias, cons
       const double v = variance(fit, target);
       Squared_bias b = bias.in(shape)[degree - 2][j];
       const auto risk = [&] { return (b.value + v) * risk_factor(shape, ladder); };
-      if (!(risk() < least)) continue; // a proof only adds to it
+      if (!(risk() < least.value)) continue; // a proof only adds to it
+      least.as_others = std::min(least.as_others, risk());
       const double proved =
           std::max(j < own.size() ? own[j] : 0, references.squared_bias(fit, shape, target, degree, j));
       if (proved > 0) b.add_proved(proved);
-      if (!(risk() < least)) continue;
-      least = risk();
+      if (!(risk() < least.value)) continue;
+      least.value = risk();
       choice = {ladder.radii[j],  shape,      j,        degree, b.value, v, doubtful_bias(b, v),
                 fit.noise_factor, fit.misfit, fit.round};
     }
-  return least;
 }
 
 /// Height and slopes from the fit that was chosen for the normal, second derivatives each from its own. Of no use with
@@ -150,15 +157,17 @@ inline Point_scale choose(const Local_ladder& local, const Bias_table& table, co
   scale.frame = local.frame;
   for (std::size_t target = 0; target < number_of_targets; ++target) {
     Chosen_fit& choice = *choices_of(scale)[target];
-    double least = unknown, of_balls = 0; // doubtful bias
+    Least_risk least;
+    double of_balls = 0; // doubtful bias
     for (const Shape shape : shapes_of(target, ladder)) {
-      least = choose(local, table[target], own, references, shape, target, ladder, least, choice);
+      choose(local, table[target], own, references, shape, target, ladder, least, choice);
       if (!is_ellipse(shape)) of_balls = choice.doubtful_bias;
       else if (is_ellipse(choice.shape) && !ladder.with_normals) choice.doubtful_bias = of_balls;
       if (shape != Shape::ball) continue;
-      scale.is_chosen = scale.is_chosen && least < unknown;
+      scale.is_chosen = scale.is_chosen && least.value < unknown;
       if (target == 1) scale.in_ball = choice;
     }
+    if (target > 0 && least.as_others < least.value) scale.is_unlike_others = true;
   }
   if (scale.is_chosen) scale.jet = jet_of_choice(local, scale);
   return scale;

@@ -42,19 +42,24 @@ inline std::vector<double> usual_misfits(const Patch_statistics::Patch& patch, s
   return usual;
 }
 
+/// Above it a misfit is unlike those around. \param usual see usual_misfits()
+inline double most_usual(const std::vector<double>& usual, std::size_t rung)
+{
+  constexpr double different = 2;
+  return rung < usual.size() ? different * usual[rung] : unknown;
+}
+
 /// By how much more a ball leaves of degree 4 than noise does, which smaller balls tell, and than is usual around: of
 /// each rung, 0 where it is not.
 /// \param noise as a misfit, if it is known
-inline std::vector<double> unusual_misfits(const Local_ladder& local, const std::vector<double>& usual,
-                                           double noise = unknown)
+inline std::vector<double> unusual_misfits(const Local_ladder& local, const std::vector<double>& usual, double noise)
 {
-  constexpr double different = 2;
   std::vector<double> unusual(std::min(usual.size(), local.candidates.size()), 0);
   for (std::size_t j = 0; j < unusual.size(); ++j) {
     const double m = misfit(local, j);
     if (!(m > 0)) continue;
     const double freedom = local.candidates[j].size(4) - double(number_of_jet_coefficients(4));
-    if (noise < unknown) unusual[j] = std::max(0., m - std::max(noise, different * usual[j]));
+    if (noise < unknown) unusual[j] = std::max(0., m - std::max(noise, most_usual(usual, j)));
     noise = std::min(noise, m * (1 + constant::certain * std::sqrt(2 / freedom)));
   }
   return unusual;
