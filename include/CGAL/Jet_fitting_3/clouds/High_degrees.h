@@ -110,8 +110,7 @@ private:
   static bool leaves_less(const High_degree_fits& fits)
   {
     for (const auto& of_degrees : fits)
-      if (!of_degrees.empty())
-        return of_degrees.back().residual < 0.1 * of_degrees[highest_nested_degree / 2 - 1].residual;
+      if (!of_degrees.empty()) return of_degrees.back().residual < 0.1 * of_degree_4(of_degrees).residual;
     return false;
   }
 

@@ -190,6 +190,12 @@ std::vector<Fitted_derivatives> fits_in_ball(const Cloud& cloud, const Indices& 
   return fits_of_degrees(cloud, neighbors, frame, radius, degree, noise);
 }
 
+/// That of the highest degree of the ladder. \pre there are fits
+inline const Fitted_derivatives& of_degree_4(const std::vector<Fitted_derivatives>& fits)
+{
+  return fits[highest_nested_degree / 2 - 1];
+}
+
 /// Of each ball. \param near, highest see fits_in_ball()
 inline High_degree_fits fits_of_high_degrees(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                              const Ladder& ladder, std::size_t highest)

@@ -39,12 +39,6 @@ inline High_degree_fits fits_on_detail(const Cloud& cloud, const Indices& near, 
   return fits;
 }
 
-/// What degree 4 leaves in a ball. \pre there are fits
-inline const Fitted_derivatives& of_degree_4(const std::vector<Fitted_derivatives>& fits)
-{
-  return fits[highest_nested_degree / 2 - 1];
-}
-
 /// Whether what degree 4 leaves is shape, not noise that is larger there: a higher degree takes much of it (Fisher's
 /// ratio of variances).
 inline bool takes_shape(const Fitted_derivatives& high, const Fitted_derivatives& of_4)
