@@ -20,14 +20,26 @@
 #include <type_traits>
 
 #if __has_include(<Eigen/SVD>)
-#include <CGAL/Eigen_svd.h>
+#include <CGAL/Eigen_matrix.h>
+#include <CGAL/Eigen_vector.h>
 #endif
 
 namespace CGAL {
 
+class Eigen_svd; // whose header makes compilers instantiate an SVD that is never called: seven seconds a file
+
 namespace Jet_fitting {
 
 #if __has_include(<Eigen/SVD>)
+/// What CGAL/Eigen_svd.h says, which therefore need not be included.
+template <>
+struct Svd_types<Eigen_svd>
+{
+  using FT = double;                   ///< a number
+  using Vector = Eigen_vector<double>; ///< of them
+  using Matrix = Eigen_matrix<double>; ///< of them
+};
+
 /// Eigen's SVD is replaced by orthogonalization, which has the same answers to rounding.
 template <>
 struct Solver_of<Eigen_svd>

@@ -10,7 +10,6 @@
 #include "reference_fit.h"
 #include "samplings.h"
 
-#include <CGAL/Eigen_svd.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 

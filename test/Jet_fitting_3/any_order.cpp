@@ -9,7 +9,6 @@
 #include "check.h"
 #include "samplings.h"
 
-#include <CGAL/Eigen_svd.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 

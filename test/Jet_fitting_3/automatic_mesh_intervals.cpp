@@ -211,7 +211,7 @@ Beside_fixed detail_of_a_plane(double edges, double noise, unsigned seed)
       best = std::min(best, error());
     }
   const auto summary =
-      CGAL::estimate_vertex_monge_forms(mesh, jets::automatic(), forms, CGAL::parameters::degree_monge(2));
+      CGAL::estimate_vertex_monge_forms(on_bump, mesh, jets::automatic(), forms, CGAL::parameters::degree_monge(2));
   Intervals found;
   for (const Vertex v : on_bump) found.add(forms[v], truth[v], summary.quality(v).scale);
   return {error() / best, double(found.held1 + found.held2) / (2 * found.count)};

@@ -13,7 +13,6 @@
 #include "plain_kernel.h"
 #include "samplings.h"
 
-#include <CGAL/Eigen_svd.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 

@@ -62,7 +62,7 @@ for header in $(find CGAL -name '*.h' | sort); do
 done > "$scratch/includes"
 
 # In the order of a chain each header includes those before, which so bring nothing that it lacks: it is compiled as if
-# alone, but the libraries are read once for all of the chain. Two at a time.
+# alone, but the libraries are read once for all of the chain.
 tsort "$scratch/includes" | awk -v scratch="$scratch" '
   FNR == NR { if ($1 == $2) ours[$1]; else direct[$2] = direct[$2] " " $1; next }
   $1 in ours {
@@ -82,7 +82,7 @@ tsort "$scratch/includes" | awk -v scratch="$scratch" '
     printf "#include <%s>\n#include <%s>\n", $1, $1 > unit
   }' "$scratch/includes" -
 find "$scratch" -name 'chain_*.cpp' | sed 's/\.cpp$//' |
-  xargs -P 2 -I '{}' "$compiler" -std=c++17 -fsyntax-only $warnings -I. "$@" -MD -MF '{}.d' '{}.cpp' ||
+  xargs -I '{}' "$compiler" -std=c++17 -fsyntax-only $warnings -I. "$@" -MD -MF '{}.d' '{}.cpp' ||
   fail "a header does not compile alone, or with a warning"
 
 # Door (b), without any folder but our own: all it includes lies in CGAL/Jet_fitting_3/.

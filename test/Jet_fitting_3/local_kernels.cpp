@@ -9,8 +9,6 @@
 #include "counting_svd.h"
 #include "kernels.h"
 
-#include <CGAL/Eigen_svd.h>
-
 #include <limits>
 #include <type_traits>
 

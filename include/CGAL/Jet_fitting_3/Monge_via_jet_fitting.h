@@ -53,8 +53,8 @@ public:
   using FT = typename LocalKernel::FT;
   using Point_3 = typename LocalKernel::Point_3;
   using Vector_3 = typename LocalKernel::Vector_3;
-  using LAVector = typename SvdTraits::Vector;
-  using LAMatrix = typename SvdTraits::Matrix;
+  using LAVector = typename Svd_types<SvdTraits>::Vector;
+  using LAMatrix = typename Svd_types<SvdTraits>::Matrix;
   /// @}
 
   /// The result.
@@ -64,7 +64,7 @@ public:
   /// x, y, z axis of a coordinate system for the fit.
   using Given_basis = std::array<typename DataKernel::Vector_3, 3>;
 
-  static_assert(std::is_same<FT, typename SvdTraits::FT>::value,
+  static_assert(std::is_same<FT, typename Svd_types<SvdTraits>::FT>::value,
                 "LocalKernel::FT and SvdTraits::FT must be the same type (section 4.3.5 of the paper)");
 
   /// Nothing has been estimated yet.

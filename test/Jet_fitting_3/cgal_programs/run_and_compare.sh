@@ -60,7 +60,7 @@ check_header() {
 }
 
 programs=$*
-"$cmake" --build "$build" --target cgal_programs -j 2 || { echo "FAILED: the programs do not compile"; exit 1; }
+"$cmake" --build "$build" --target cgal_programs || { echo "FAILED: the programs do not compile"; exit 1; }
 for program in $programs; do
   check_header "$program" theirs
   check_header "$program" ours

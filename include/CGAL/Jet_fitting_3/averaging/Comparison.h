@@ -80,48 +80,58 @@ inline Comparisons compare_all(const Candidates& candidates, const Candidate_gri
   return result;
 }
 
-/// What a patch says: the members' comparisons of one pair in the mean; none if most have none. Exact ones, of planes
-/// without noise, must not be the only ones that count: none is taken for much more certain than they are in the mean.
-/// \param t the number of the pair
-/// \param ratio of the radii of the patch and of the pair's first candidate
-inline Comparison patch_mean(const std::vector<const Comparisons*>& members, std::size_t t, double ratio,
-                             const Target& target)
+/// What the members of a patch say of one pair, as far as they are added.
+struct Patch_sum
 {
-  constexpr double least_part = 0.001;
-  double least = 0; // noise
-  std::size_t count = 0;
-  for (const Comparisons* member : members) {
-    const Comparison& c = (*member)[t];
-    if (!c.exists()) continue;
-    least += least_part / double(members.size()) * c.noise;
-    ++count;
-  }
-  if (count <= members.size() / 3) return {};
-  double weights = 0, excess = 0, noises = 0;
+  double least_noise = 0; ///< that any of them is taken to have
+  std::size_t count = 0;  ///< of those that say something
+  double weight = 0, excess = 0, noise = 0;
   Of_orders terms{};
-  for (const Comparisons* member : members) {
-    const Comparison& c = (*member)[t];
-    if (!c.exists()) continue;
-    const double noise = std::max(c.noise, least), w = 1 / (noise * noise);
-    weights += w;
+
+  void add(const Comparison& c)
+  {
+    const double at_least = std::max(c.noise, least_noise), w = 1 / (at_least * at_least);
+    weight += w;
     excess += w * c.excess;
-    noises += w * c.noise;
+    noise += w * c.noise;
     for (std::size_t k = 0; k < terms.size(); ++k) terms[k] += w * c.terms[k];
   }
-  for (double& term : terms) term /= weights;
-  const double independent = std::min(double(count), std::max(1., 2 * ratio * ratio));
-  // the square of one normal variable varies more than that of three
-  const double of_square = target.last - target.first == 1 ? 2 : 1;
-  return {excess / weights, noises / weights, std::sqrt(of_square * double(count) / weights / independent), terms};
-}
 
+  /// \param ratio of the radii of the patch and of the pair's first candidate
+  Comparison mean(double ratio, const Target& target) const
+  {
+    const double independent = std::min(double(count), std::max(1., 2 * ratio * ratio));
+    // the square of one normal variable varies more than that of three
+    const double of_square = target.last - target.first == 1 ? 2 : 1;
+    Comparison result{excess / weight, noise / weight, std::sqrt(of_square * double(count) / weight / independent),
+                      terms};
+    for (double& term : result.terms) term /= weight;
+    return result;
+  }
+};
+
+/// What a patch says: for each pair the members' comparisons in the mean; none if most have none. Exact ones, of planes
+/// without noise, must not be the only ones that count: none is taken for much more certain than they are in the mean.
 inline Comparisons patch_means(const std::vector<const Comparisons*>& members, const Candidate_grid& grid,
                                double patch_radius, const Target& target)
 {
-  Comparisons means;
-  means.reserve(grid.pairs.size());
-  for (std::size_t t = 0; t < grid.pairs.size(); ++t)
-    means.push_back(patch_mean(members, t, patch_radius / grid.radii[grid.shell(grid.pairs[t].first)], target));
+  constexpr double least_part = 0.001;
+  std::vector<Patch_sum> sums(grid.pairs.size());
+  // member by member, as these lie in memory
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < sums.size(); ++t) {
+      const Comparison& c = (*member)[t];
+      if (!c.exists()) continue;
+      sums[t].least_noise += least_part / double(members.size()) * c.noise;
+      ++sums[t].count;
+    }
+  for (const Comparisons* member : members)
+    for (std::size_t t = 0; t < sums.size(); ++t)
+      if ((*member)[t].exists()) sums[t].add((*member)[t]);
+  Comparisons means(sums.size());
+  for (std::size_t t = 0; t < sums.size(); ++t)
+    if (sums[t].count > members.size() / 3)
+      means[t] = sums[t].mean(patch_radius / grid.radii[grid.shell(grid.pairs[t].first)], target);
   return means;
 }
 

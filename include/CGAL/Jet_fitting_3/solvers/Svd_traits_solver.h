@@ -81,6 +81,15 @@ private:
   numeric::Linear_system<FT> m_system;
 };
 
+/// The types that a model of SvdTraits has. A specialization may tell them of one that is only declared.
+template <class SvdTraits>
+struct Svd_types
+{
+  using FT = typename SvdTraits::FT;         ///< a number
+  using Vector = typename SvdTraits::Vector; ///< of them
+  using Matrix = typename SvdTraits::Matrix; ///< of them
+};
+
 /// \ingroup PkgJetFitting3Solvers
 /// The solver that is used for SvdTraits: the traits themselves, unless a specialization says that another method with
 /// the same answers may replace them.

@@ -46,7 +46,7 @@ struct Estimation_parameters
       std::conditional_t<std::is_same<typename DataKernel::FT, long double>::value, long double, double>;
   using Svd_traits = typename internal_np::Lookup_named_param_def<internal_np::svd_traits_t, NamedParameters,
                                                                   Default_svd<Default_number>>::type;
-  using Local_kernel = Simple_cartesian<typename Svd_traits::FT>;
+  using Local_kernel = Simple_cartesian<typename Svd_types<Svd_traits>::FT>;
   template <class Source>
   using Estimator = Row_estimator<DataKernel, Local_kernel, Svd_traits, Source>;
 
