@@ -9,12 +9,15 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
-#include <CGAL/Jet_fitting_3/Invalid_input.h>
-#include <CGAL/Jet_fitting_3/averaging/noise_of_normals.h>
-#include <CGAL/Jet_fitting_3/averaging/sound_normals.h>
+#include <CGAL/Jet_fitting_3/Options.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Noisy_surface.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_cloud.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_as_data.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Mesh_tables.h>
+#include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_set_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
@@ -24,10 +27,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <cmath>
 #include <iterator>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -61,20 +62,18 @@ template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
 Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
 {
   const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
-  constexpr bool has_normals = has_given_normals<NamedParameters>;
-  const Unit_surface surface(tables, normals_of_mesh<ConcurrencyTag>(mesh, tables), has_normals);
-  Noise noise = averaging::noise_of_surface(surface.surface()).of_all;
-  if (!std::isfinite(noise.position))
-    throw Invalid_input("estimate_noise(): of the " + std::to_string(tables.size()) +
-                        " vertices of this mesh too few have enough others within three rings");
-  if constexpr (has_normals) {
-    const averaging::Size_of_noise of_normals = averaging::noise_of_normals(
-        surface.surface(),
-        averaging::on_side_of(surface.surface(), normals_of_nodes(tables, read_unit_normals(np, *tables.numbering))));
-    noise.normal = of_normals.value;
-    noise.normal_error = of_normals.error;
-  }
-  return in_larger_unit(noise, tables.points.per_length());
+  const Normal_table of_mesh = normals_of_mesh<ConcurrencyTag>(mesh, tables);
+  const auto in_lengths = [&](const Noise& noise) { return in_larger_unit(noise, tables.points.per_length()); };
+  const auto of_positions = [&] {
+    return in_lengths(noise_of_positions(Unit_surface(tables, of_mesh, false), tables.points, Options()).of_all);
+  };
+  if constexpr (has_given_normals<NamedParameters>) {
+    const Normals_as_data normals =
+        normals_beside_faces(mesh, tables, of_mesh, read_unit_normals(np, *tables.numbering));
+    if (normals.are_means_of_faces) return without_normals(of_positions());
+    const Noisy_surface surface(tables, of_mesh, normals, Options(), For_each_with_body<ConcurrencyTag>());
+    return surface.has_normals() ? in_lengths(surface.noise()) : without_normals(of_positions());
+  } else return of_positions();
 }
 
 CGAL_JET_FITTING_3_END_NATIVE
@@ -97,8 +96,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// \return standard deviations, in the unit of the coordinates and in radians, with errors; those in the middle where
 ///         they differ over the surface. Where the surface is not smooth on the scale of a few edges, or of 45 points,
 ///         what cannot be told from noise counts as noise, and the error says so. Of a mesh, noise that is alike over
-///         four edges and more counts as surface, of points one that is alike over five of their distances
-/// \throw Jet_fitting::Invalid_input if there are too few points, or too many of them coincide
+///         four edges and more counts as surface, of points one that is alike over five of their distances. Normals of
+///         a mesh that are wrong are left out and counted; those that follow from its faces have infinite noise
+/// \throw Jet_fitting::Invalid_input if there are too few points, too many of them coincide, or too few have normals
 template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Jet_fitting::Noise estimate_noise(const PointsOrMesh& points_or_mesh,

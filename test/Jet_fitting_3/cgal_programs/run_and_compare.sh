@@ -47,11 +47,18 @@ compare() {
   fi
 }
 
-# Which header was taken is what the compiler says it depended on.
+# What the compiler says that a program depends on: in a file beside the object, or, of ninja, in its log.
+dependencies() {
+  if [ -f "$build/build.ninja" ]; then
+    ninja -C "$build" -t deps | awk -v object="/$1.dir/.*/$2.cpp" '/^[^ ]/ { is_its = $0 ~ object } is_its'
+  else
+    find "$build" -path "*/$1.dir/*" -name "$2.cpp*.d" -exec cat {} +
+  fi | tr ' ' '\n'
+}
+
 check_header() {
   program=${1#*/}
-  taken=$(find "$build" -path "*/${2}_$program.dir/*" -name "$program.cpp*.d" -exec cat {} + |
-    tr ' ' '\n' | grep 'CGAL/Monge_via_jet_fitting\.h$' | sort -u)
+  taken=$(dependencies "${2}_$program" "$program" | grep 'CGAL/Monge_via_jet_fitting\.h$' | sort -u)
   echo "$program ($2) took $taken"
   case $2 in
     ours) [ "$taken" = "$include/CGAL/Monge_via_jet_fitting.h" ] || fail "$program was not built on our header" ;;

@@ -23,9 +23,6 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
-inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
-
 /// Chooses radii and degrees for all vertices of a surface with edges, from positions, and from given normals, and
 /// which height. Radii end at 26 units, and what is learned of bias is in units as well: so it holds where edges have
 /// another length, as those of a mesh do that is finer where its surface bends more.

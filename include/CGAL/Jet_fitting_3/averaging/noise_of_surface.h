@@ -249,6 +249,9 @@ inline Size_of_noise noise_alike_by_degrees(const std::vector<Residuals_at_place
   return {noise, std::abs(noise - std::sqrt(high))};
 }
 
+/// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
+inline double variance_in_units(double noise, double unit) { return 1.05 * noise * noise / (unit * unit) + 1e-30; }
+
 /// The noise of points: of all, and around places.
 struct Surface_noise
 {

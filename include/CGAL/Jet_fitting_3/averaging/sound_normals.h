@@ -115,7 +115,7 @@ Sound_normals sound_normals(const Surface_points<Neighbors>& surface, std::vecto
       result.wrong += wrong.size();
     }
   };
-  forget([&] { return differences_from_surface(surface, result.normals); }, 0.2, 10);
+  forget([&] { return differences_from_surface(surface, result.normals); }, 0.2, 4);
   forget([&] { return differences_from_slopes(surface, result.normals, for_each); }, 0.002, 3);
   return result;
 }

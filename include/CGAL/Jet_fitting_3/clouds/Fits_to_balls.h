@@ -8,7 +8,7 @@
 #define CGAL_JET_FITTING_3_CLOUDS_FITS_TO_BALLS_H
 
 #include <CGAL/Jet_fitting_3/averaging/Disk_fitter.h>
-#include <CGAL/Jet_fitting_3/averaging/Surface_choice.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Local_ladder.h>
 

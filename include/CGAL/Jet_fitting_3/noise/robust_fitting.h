@@ -186,10 +186,12 @@ public:
       const FT last_scale = m_scale;
       const FT change = per_weight * reweight(columns, loss, is_active);
       const FT change_of_scale = numeric::absolute(FT(m_scale - last_scale));
-      is_active = is_active & (change > FT(tolerance)) & !(change_of_scale < FT(scale_tolerance) * m_scale);
+      const Mask has_changed = change > FT(tolerance), is_far_off = change > few,
+                 is_scale_settled = change_of_scale < FT(scale_tolerance) * m_scale;
+      is_active = is_active & has_changed & !is_scale_settled;
       if (!numeric::any(is_active)) return;
       if (round == 0) compute_matrix(columns, is_active);
-      else compute_matrix(columns, is_active & (change > few));
+      else compute_matrix(columns, is_active & is_far_off);
       step(columns, is_active, length);
     }
   }

@@ -28,10 +28,11 @@ struct Noise
   /// @{
   /// The standard deviation of a component, along the surface, of the difference between a given normal and that of
   /// the surface at the foot of its point: the angle along each tangent, in radians. 0 without normals;
-  /// infinite where automatic() leaves them aside, since it expects smaller errors without them.
+  /// infinite where automatic() leaves them aside: those of a mesh that follow from its faces, and all without which it
+  /// expects smaller errors.
   double normal = 0, normal_error = 0;
   /// @}
-  /// How many given normals of a mesh automatic() takes for wrong, and not as data: those that differ from the tangent
+  /// How many given normals of a mesh are taken for wrong, and not as data: those that differ from the tangent
   /// planes, or from what the normals around them say, by far more than others do.
   std::size_t wrong_normals = 0;
 };

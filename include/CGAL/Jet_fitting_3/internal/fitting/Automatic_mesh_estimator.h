@@ -13,11 +13,10 @@
 #include <CGAL/Jet_fitting_3/averaging/Order_choice.h>
 #include <CGAL/Jet_fitting_3/averaging/Surface_choice.h>
 #include <CGAL/Jet_fitting_3/averaging/jet_of_disk.h>
-#include <CGAL/Jet_fitting_3/averaging/noise_of_normals.h>
-#include <CGAL/Jet_fitting_3/averaging/sound_normals.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/Unit_surface.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/Noisy_surface.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/check_options_for_automatic.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_rows.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_as_data.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/set_automatic_result.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighborhood_block.h>
@@ -25,7 +24,6 @@
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Point_table.h>
-#include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
@@ -36,7 +34,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,32 +42,6 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// Normals of vertices that are to be data, or none, and those of the faces, to tell whether they follow from these.
-struct Normals_as_data
-{
-  Unit_normals given;
-  std::vector<Vector_3<double>> of_faces{}; ///< none where nothing is to be compared with them
-  bool are_means_of_faces = false;
-};
-
-/// Calls body(k) for each k below count, a few at a time, with a body for each thread.
-template <class ConcurrencyTag>
-struct For_each_with_body
-{
-  template <class Make_body>
-  void operator()(std::size_t count, const Make_body& make_body) const
-  {
-    constexpr std::size_t at_a_time = 8;
-    const auto make_worker = [&] {
-      return [body = make_body()](std::size_t first, std::size_t last) mutable {
-        for (; first < last; ++first) body(first);
-        return true;
-      };
-    };
-    for_each_block<ConcurrencyTag>(count, make_worker, at_a_time);
-  }
-};
 
 /// Of all vertices: what is learned once, and asked by all threads. Its vertices are the nodes of the adjacency.
 template <class Kernel>
@@ -94,11 +65,8 @@ public:
   template <class ConcurrencyTag, class Tables>
   Learned_surface(ConcurrencyTag, const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
                   std::size_t highest_degree, const Options& options)
-    : m_highest_degree(highest_degree), m_surface(tables, of_mesh, !normals.given.empty(), options.loss == Loss::tukey,
-                                                  For_each_with_body<ConcurrencyTag>()),
-      m_noise(noise(tables.points, options)), m_squares_of_noise(squares_of_noise()),
-      m_choice(surface_with_data(tables, normals, options, For_each_with_body<ConcurrencyTag>()), m_squares_of_noise,
-               highest_degree, For_each_with_body<ConcurrencyTag>())
+    : m_highest_degree(highest_degree), m_data(tables, of_mesh, normals, options, For_each_with_body<ConcurrencyTag>()),
+      m_choice(m_data.surface(), m_data.squares_of_noise(), highest_degree, For_each_with_body<ConcurrencyTag>())
   {}
 
   /// Orders up to this one that have a choice of their own.
@@ -107,26 +75,26 @@ public:
   {
     const auto frame_at = [this](Walker& walker, std::size_t i) { return m_choice.estimate(walker, i).frame; };
     for (std::size_t order = 3; order <= (std::min)(highest, scale::highest_chosen_order); ++order)
-      m_higher.emplace_back(Fits(m_surface.surface(), m_squares_of_noise, order, m_choice.height()),
+      m_higher.emplace_back(Fits(m_data.surface(), m_data.squares_of_noise(), order, m_choice.height()),
                             averaging::radii_of_disks(), m_highest_degree,
-                            averaging::spread_over_scales(m_surface.surface().units, averaging::most_places), frame_at,
+                            averaging::spread_over_scales(m_data.surface().units, averaging::most_places), frame_at,
                             For_each_with_body<ConcurrencyTag>());
   }
 
-  Walker walker() const { return Walker(m_surface.surface()); }
-  Normal_table sides() const { return m_surface.sides(); }
-  bool is_outlier(Index node) const { return m_surface.is_outlier(node); }
+  Walker walker() const { return Walker(m_data.surface()); }
+  Normal_table sides() const { return m_data.sides(); }
+  bool is_outlier(Index node) const { return m_data.is_outlier(node); }
   /// In units.
-  const Noise& noise() const { return m_noise.of_all; }
+  const Noise& noise() const { return m_data.noise(); }
   /// As data.
-  bool has_normals() const { return m_surface.surface().given; }
+  bool has_normals() const { return m_data.has_normals(); }
 
   /// The middle one of the squared errors of second derivatives that are expected at some vertices, by bias and noise.
   template <class ConcurrencyTag>
   double expected_square(ConcurrencyTag) const
   {
     constexpr std::size_t places = 100;
-    const std::vector<std::size_t> some = averaging::spread_vertices(m_surface.surface().points.size(), places);
+    const std::vector<std::size_t> some = averaging::spread_vertices(m_data.surface().points.size(), places);
     std::vector<double> squares(some.size(), std::numeric_limits<double>::infinity());
     For_each_with_body<ConcurrencyTag>()(some.size(), [&] {
       return [&, own = walker()](std::size_t k) mutable {
@@ -138,7 +106,7 @@ public:
   }
 
   /// No neighborhood of the vertex has a larger radius. In the unit of the tables.
-  double largest_radius(Index i) const { return averaging::largest_radius * m_surface.surface().units[i]; }
+  double largest_radius(Index i) const { return averaging::largest_radius * m_data.surface().units[i]; }
 
   /// \param order at most that which is learned
   template <class Solver>
@@ -163,7 +131,7 @@ public:
         if (second.xx < second.yy) std::swap(result.third_order_errors[0], result.third_order_errors[1]);
       }
     }
-    result.exists = known >= order || averaging::add_higher_orders(m_surface.surface(), walker, i, second.frame,
+    result.exists = known >= order || averaging::add_higher_orders(m_data.surface(), walker, i, second.frame,
                                                                    largest_radius(i), known + 1, solver, result.jet);
     return result;
   }
@@ -180,83 +148,8 @@ private:
     return errors;
   }
 
-  /// In units: the given one, or that of the mesh.
-  averaging::Surface_noise noise(const Point_table<Kernel>& table, const Options& options) const
-  {
-    averaging::Surface_noise noise;
-    if (options.position_noise) noise.of_all.position = *options.position_noise * table.per_length();
-    else noise = averaging::noise_of_surface(m_surface.surface());
-    if (!std::isfinite(noise.of_all.position))
-      throw Invalid_input(
-          "automatic() cannot tell the noise of this mesh of " + std::to_string(table.size()) +
-          " vertices: too few of them have enough others within three rings that do not coincide or lie "
-          "on a line (separate triangles have to be stitched first). Options::position_noise gives it");
-    return noise;
-  }
-
-  /// Of each vertex, in squares of its unit.
-  std::vector<double> squares_of_noise() const
-  {
-    std::vector<double> result;
-    const auto& surface = m_surface.surface();
-    for (std::size_t i = 0; i < surface.points.size(); ++i)
-      result.push_back(
-          averaging::variance_in_units(m_noise.at(averaging::whereabouts_anywhere(surface, i)), surface.units[i]));
-    return result;
-  }
-
-  template <class Tables, class For_each>
-  const Unit_surface::Surface& surface_with_data(const Tables& tables, const Normals_as_data& normals,
-                                                 const Options& options, const For_each& for_each)
-  {
-    take_tangent_planes(for_each);
-    if (!normals.given.empty()) take_normals(tables, normals, options, for_each);
-    return m_surface.surface();
-  }
-
-  template <class For_each>
-  void take_tangent_planes(const For_each& for_each)
-  {
-    const Noise& noise = m_noise.of_all;
-    m_surface.take_tangent_planes(m_squares_of_noise, is_told_from_shape(noise.position, noise.position_error),
-                                  for_each);
-  }
-
-  // As data, unless they seem to follow from the faces.
-  template <class Tables, class For_each>
-  void take_normals(const Tables& tables, const Normals_as_data& normals, const Options& options,
-                    const For_each& for_each)
-  {
-    std::vector<Vector_3<double>> given =
-        averaging::on_side_of(m_surface.surface(), normals_of_nodes(tables, normals.given));
-    Noise& noise = m_noise.of_all;
-    if (!normals.of_faces.empty() &&
-        averaging::follow_from_faces(m_surface.surface(), given, normals_of_nodes(tables, normals.of_faces)))
-      return;
-    averaging::Sound_normals sound = averaging::sound_normals(m_surface.surface(), std::move(given), for_each);
-    noise.wrong_normals = sound.wrong;
-    const averaging::Size_of_noise estimated = averaging::noise_of_normals(m_surface.surface(), sound.normals);
-    noise.normal = options.normal_noise.value_or(estimated.value);
-    noise.normal_error = options.normal_noise ? 0 : estimated.error;
-    if (!std::isfinite(noise.normal))
-      throw Invalid_input(
-          "automatic() cannot tell the noise of the normals of this mesh of " + std::to_string(tables.points.size()) +
-          " vertices: too few are known within two rings. Options::position_noise and normal_noise give both");
-    // Points whose noise cannot be told from what fits leave without any: with slopes these leave less
-    constexpr double height_over_slope = 0.25;
-    if (noise.position <= noise.position_error) {
-      const double beside = averaging::noise_beside_normals(m_surface.surface(), sound.normals);
-      const double most = averaging::variance_in_units((std::max)(beside, height_over_slope * noise.normal), 1);
-      for (double& square : m_squares_of_noise) square = (std::min)(square, most);
-      take_tangent_planes(for_each); // which may be finer now
-    }
-    m_surface.take_normals(std::move(sound.normals), noise.normal, m_squares_of_noise);
-  }
-
   std::size_t m_highest_degree;
-  Unit_surface m_surface;
-  averaging::Surface_noise m_noise;
-  std::vector<double> m_squares_of_noise;
+  Noisy_surface m_data;
   averaging::Surface_choice<Edges> m_choice;
   std::vector<averaging::Order_choice<Fits>> m_higher; // orders 3 and 4
 };

@@ -12,8 +12,8 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Automatic_mesh_estimator.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_blocks.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/normals_as_data.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/normals_left_aside.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/normals_of_faces.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/parameters.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/read_point_weights.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Mesh_gatherer.h>
@@ -102,11 +102,9 @@ private:
     if constexpr (is_automatic) {
       const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
       const Normal_table of_mesh = normals_of_mesh<ConcurrencyTag>(mesh, m_tables);
-      Normals_as_data normals{m_normals};
-      if (may_be_left_aside(m_normals, m_options)) {
-        normals.are_means_of_faces = are_means_of_faces(mesh, *m_tables.numbering, m_tables.points, m_normals);
-        normals.of_faces = unit_vectors(of_mesh, m_tables.size());
-      }
+      const Normals_as_data normals = may_be_left_aside(m_normals, m_options)
+                                          ? normals_beside_faces(mesh, m_tables, of_mesh, m_normals)
+                                          : Normals_as_data{m_normals};
       return Automatic_mesh_estimator<Kernel>(tag, m_tables, of_mesh, normals, degrees, m_options, for_places);
     } else return row_estimator<has_normals>(m_tables.points, m_normals, m_given, m_options);
   }

@@ -96,6 +96,24 @@ void for_each_block(std::size_t size, const Make_worker& make_worker, std::size_
   }
 }
 
+/// Calls body(k) for each k below count, a few at a time, with a body for each thread.
+template <class ConcurrencyTag>
+struct For_each_with_body
+{
+  template <class Make_body>
+  void operator()(std::size_t count, const Make_body& make_body) const
+  {
+    constexpr std::size_t at_a_time = 8;
+    const auto make_worker = [&] {
+      return [body = make_body()](std::size_t first, std::size_t last) mutable {
+        for (; first < last; ++first) body(first);
+        return true;
+      };
+    };
+    for_each_block<ConcurrencyTag>(count, make_worker, at_a_time);
+  }
+};
+
 /// Calls visit(i) for every number i below size.
 /// \param block how many numbers a thread takes at a time
 template <class ConcurrencyTag, class Visit>
