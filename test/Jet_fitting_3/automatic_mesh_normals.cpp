@@ -430,6 +430,19 @@ void wrong_neighbors()
   }
 }
 
+// At a corner where few normals are known: a wrong one is found, and not those that it bends.
+void wrong_at_corner()
+{
+  Noisy_mesh mesh(graph("waves", 40, waves), 0.0003, 0);
+  for (const int v : {1 * 40 + 38, 3 * 40 + 39, 2 * 40 + 35}) mesh.normals[Vertex(v)] = Vector(0, 0, 0);
+  mesh.estimate(jets::automatic(), true);
+  const double best = mesh.rms_error();
+  mesh.normals[Vertex(39)] = mesh.normals[Vertex(39)] + Vector(.05, -.05, 0);
+  mesh.estimate(jets::automatic(), true);
+  std::cout << "a wrong normal at a corner: " << mesh.rms_error() / best << '\n';
+  check_le(mesh.rms_error(), 1.2 * best, "a wrong normal at a corner beside none");
+}
+
 // Normals turn forms to their side, and are data of whichever length.
 void turned_and_longer()
 {
@@ -480,6 +493,7 @@ int main()
   bad_normals();
   wrong_normals();
   wrong_neighbors();
+  wrong_at_corner();
   turned_and_longer();
   intervals();
   return result();

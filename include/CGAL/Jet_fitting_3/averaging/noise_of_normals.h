@@ -56,11 +56,11 @@ public:
                     });
   }
 
-  /// Of the normal of the first sample from that of the fit, an angle; none if the samples do not determine it.
-  std::optional<double> difference_of_first() const
+  /// Of a normal from that of the fit, an angle; none if the samples do not determine it.
+  std::optional<double> difference(const Vector_3<double>& place, const Vector_3<double>& normal) const
   {
     if (!m_solution) return std::nullopt;
-    return std::sqrt(square_of_difference(fitted_at(m_places[0]), m_normals[0]));
+    return std::sqrt(square_of_difference(fitted_at(place), normal));
   }
 
   /// Likewise of the heights of the points, along the normals.

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,23 +54,35 @@ std::vector<std::size_t> outstanding(const Surface_points<Neighbors>& surface, c
 }
 
 /// By which angle each given normal differs from that of a fit of degree 4 to the slopes within two rings, or three
-/// where these have few vertices; negative where that is not known.
+/// where these have few vertices. Where these do not determine it, as at corners, from that of a fit to the others
+/// within up to four rings, which a wrong normal at a corner would bend most. Negative where nothing is known.
 template <class Neighbors, class For_each>
 std::vector<double> differences_from_slopes(const Surface_points<Neighbors>& surface,
                                             const std::vector<Vector_3<double>>& given, const For_each& for_each)
 {
-  constexpr std::size_t enough = 14, degree = 4;
+  constexpr std::size_t enough = 14, most_rings = 4, degree = 4;
   std::vector<double> result(given.size(), -1);
   for_each(given.size(), [&] {
     return [&, walker = Walker<Neighbors>(surface), found = std::vector<std::size_t>(),
             ends = std::vector<std::size_t>()](std::size_t i) mutable {
       const Local_frame frame{surface.points[i], axes_around(surface.normals[i])};
-      if (!slope_of(frame.axes.in(given[i]))) return;
+      const Vector_3<double> normal = frame.axes.in(given[i]);
+      if (!slope_of(normal)) return;
+      const auto difference = [&] {
+        return fit_to_slopes(surface, given, frame, found, found.size(), degree, surface.units[i])
+            .difference({0, 0, 0}, normal);
+      };
       walker.rings(i, 2, found, ends);
       if (found.size() < enough) walker.add_ring(i, found, ends);
-      result[i] = fit_to_slopes(surface, given, frame, found, found.size(), degree, surface.units[i])
-                      .difference_of_first()
-                      .value_or(-1);
+      std::optional<double> d = difference();
+      if (!d) {
+        const auto is_known = [&](std::size_t v) { return dot(given[v], given[v]) > 0; };
+        while (ends.size() <= most_rings && std::size_t(std::count_if(found.begin(), found.end(), is_known)) < enough)
+          walker.add_ring(i, found, ends);
+        found.erase(found.begin());
+        d = difference();
+      }
+      result[i] = d.value_or(-1);
     };
   });
   return result;
