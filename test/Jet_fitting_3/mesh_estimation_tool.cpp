@@ -347,7 +347,7 @@ void check_choice()
   check_says("torus.off -m 3", "chosen for each vertex, Monge forms of degree 3: 2400 estimated");
   check_says("torus.off --ridges crest", "chosen for each vertex, Monge forms of degree 4: 2400 estimated");
   check_says("torus.off --errors", "not chosen from the data: --errors is set");
-  check_says("quads.off --lower-degree", "not chosen from the data: automatic() cannot tell the noise of this mesh");
+  check_says("quads.off --lower-degree", "not chosen from the data: the noise of this mesh of 9 vertices is unknown");
 }
 
 // A file named like the input, which replaces none but the program's own; the input may come after the outputs.

@@ -108,8 +108,7 @@ private:
     if (!std::isfinite(noise.normal))
       throw Invalid_input("the noise of the normals of this mesh of " + std::to_string(tables.points.size()) +
                           " vertices is unknown: too few of them are known within two rings. automatic() takes "
-                          "Options::position_noise and "
-                          "normal_noise for both");
+                          "Options::position_noise and normal_noise for both");
     // Points whose noise cannot be told from what fits leave without any: with slopes these leave less
     constexpr double height_over_slope = 0.25;
     if (noise.position <= noise.position_error) {
