@@ -172,8 +172,10 @@ Mask_of<FT> eigen_near(const Directions_3<FT>& d, const Symmetric_3<FT>& a, Eige
   const FT x = select(v_first, tangent, FT(1)) * cosine, y = select(v_first, FT(1), tangent) * cosine;
   const FT more = FT(0.5) * tangent * twice_uv, larger_value = larger(uu, vv) + more, other = uu + vv - larger_value;
   const FT square_angle = square_u * (to_u * to_u + square_w * to_v * to_v);
-  const Mask_of<FT> is_least = ww<other, is_apart = gaps> least, is_above_underflow = square_u * square_w > least,
-                    is_near = square_angle < FT(0.5 * epsilon<FT>()) * square_w;
+  const Mask_of<FT> is_least = ww < other;
+  const Mask_of<FT> is_apart = gaps > least;
+  const Mask_of<FT> is_near = square_angle < FT(0.5 * epsilon<FT>()) * square_w;
+  const Mask_of<FT> is_above_underflow = square_u * square_w > least;
   eigen.values = {{per_square * larger_value, per_square * other, per_square * ww}};
   eigen.vectors = {{x * u + y * v, x * v - y * u, w}};
   return is_least & is_apart & is_near & is_above_underflow;
