@@ -114,11 +114,13 @@ inline double variance(const Turned_second_order& fit, std::size_t target)
 struct Found
 {
   double x, y, variance;
+  double noise_factor; ///< see Second_order
 };
 
 inline Found found(const Turned_second_order& fit, std::size_t target)
 {
-  return {fit.value[target == 0 ? 0 : target + 1], target == 0 ? fit.value[1] : 0, variance(fit, target)};
+  return {fit.value[target == 0 ? 0 : target + 1], target == 0 ? fit.value[1] : 0, variance(fit, target),
+          fit.noise_factor};
 }
 
 inline double squared_difference(const Found& a, const Found& b)
@@ -177,7 +179,8 @@ public:
   /// The squared bias of a candidate against a reference that has some of its samples and no lower degree, unbiased if
   /// the reference is: what is left of the squared difference beyond noise, which is the difference of the variances
   /// since the candidate is the efficient one.
-  Estimated squared_bias(const Fit& of_candidate, const Fit& of_reference) const
+  /// \param by_misfit whether both have as much more noise as the candidate leaves
+  Estimated squared_bias(const Fit& of_candidate, const Fit& of_reference, bool by_misfit = false) const
   {
     double total = 0, sum = 0, weights = 0, squares = 0;
     std::size_t n = 0;
@@ -185,9 +188,10 @@ public:
     for (std::size_t i = 0; i < m_patch.size(); ++i) {
       const Found &candidate = candidates[i], &reference = references[i];
       if (!(candidate.variance < unknown) || !(reference.variance < unknown) || !(reference.variance > 0)) continue;
-      const double weight = m_patch[i].weight, w = weight / (reference.variance * reference.variance);
+      const double factor = by_misfit ? candidate.noise_factor : 1, variance = factor * reference.variance;
+      const double weight = m_patch[i].weight, w = weight / (variance * variance);
       total += w;
-      const double noise = std::max(0., reference.variance - candidate.variance);
+      const double noise = std::max(0., variance - factor * candidate.variance);
       sum += w * (squared_difference(candidate, reference) - noise);
       weights += weight;
       squares += weight * weight;
@@ -210,7 +214,7 @@ private:
   Found found_by(const Member& member, const Fit& fit) const
   {
     const std::vector<Rung>& rungs = member.ladder->of_shape(fit.shape);
-    return fit.rung < rungs.size() ? found(rungs[fit.rung].of_degree(fit.degree), m_target) : Found{0, 0, unknown};
+    return fit.rung < rungs.size() ? found(rungs[fit.rung].of_degree(fit.degree), m_target) : Found{0, 0, unknown, 1};
   }
 
   const Found* found_at_members(const Fit& fit) const
@@ -333,6 +337,20 @@ inline void compare_with_ellipse(const Patch_statistics& statistics, Shape shape
   bounds.likely = std::max({bounds.likely, e.value, bounds.least});
 }
 
+/// By how many standard errors smaller balls show the bias of an ellipse of degree 2. At borders, where it grows with
+/// r, degree 4 has too much noise to show it. Such balls have about as many samples, and reach two thirds as far.
+inline double evidence_of_balls(const Patch_statistics& statistics, const Ladder& ladder, Shape ellipse,
+                                std::size_t rung)
+{
+  constexpr std::size_t smaller = 2; // rungs
+  double most = 0;
+  for (std::size_t k = ladder.first_reference; k + smaller <= rung; ++k) {
+    const Estimated e = statistics.squared_bias({ellipse, 2, rung}, {Shape::ball, 2, k}, true);
+    if (e.error > 0) most = std::max(most, e.value / e.error);
+  }
+  return most;
+}
+
 /// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
 /// with r^4 for degree 2. For higher degrees, too, one counts on no more, but for the normal, as balls may be as large
 /// as what they are on.
@@ -411,6 +429,8 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics& statistics, const Pat
     std::vector<Bias_bounds> bounds(end);
     for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {
       bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j}, roughness);
+      if (ladder.with_normals && is_ellipse(shape) && degree == 2)
+        bounds[j].evidence = std::max(bounds[j].evidence, evidence_of_balls(statistics, ladder, shape, j));
       if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
     }
     result[degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
