@@ -241,6 +241,11 @@ struct Bias_bounds
     const double square = e.value - of_reference;
     least = std::max(least, square - constant::certain * e.error);
     seen = std::max(seen, (square - e.error) / shared);
+    add_evidence(e);
+  }
+
+  void add_evidence(const Estimated& e)
+  {
     if (e.error > 0) evidence = std::max(evidence, e.value / e.error);
   }
 };
@@ -337,18 +342,14 @@ inline void compare_with_ellipse(const Patch_statistics& statistics, Shape shape
   bounds.likely = std::max({bounds.likely, e.value, bounds.least});
 }
 
-/// By how many standard errors smaller balls show the bias of an ellipse of degree 2. At borders, where it grows with
-/// r, degree 4 has too much noise to show it. Such balls have about as many samples, and reach two thirds as far.
-inline double evidence_of_balls(const Patch_statistics& statistics, const Ladder& ladder, Shape ellipse,
-                                std::size_t rung)
+/// Smaller balls show the bias of an ellipse of degree 2. At borders, where it grows with r, degree 4 has too much
+/// noise to show it. Such balls have about as many samples, and reach two thirds as far.
+inline void compare_with_balls(const Patch_statistics& statistics, const Ladder& ladder,
+                               const Patch_statistics::Fit& ellipse, Bias_bounds& bounds)
 {
   constexpr std::size_t smaller = 2; // rungs
-  double most = 0;
-  for (std::size_t k = ladder.first_reference; k + smaller <= rung; ++k) {
-    const Estimated e = statistics.squared_bias({ellipse, 2, rung}, {Shape::ball, 2, k}, true);
-    if (e.error > 0) most = std::max(most, e.value / e.error);
-  }
-  return most;
+  for (std::size_t k = ladder.first_reference; k + smaller <= ellipse.rung; ++k)
+    bounds.add_evidence(statistics.squared_bias(ellipse, {Shape::ball, 2, k}, true));
 }
 
 /// Bias is a power of r: each larger ball, where it rises above noise, says something of the smaller ones. Squares grow
@@ -430,7 +431,7 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics& statistics, const Pat
     for (std::size_t j = ladder.first_reference; j < bounds.size(); ++j) {
       bounds[j] = bias_bounds(statistics, ladder, radii, {shape, degree, j}, roughness);
       if (ladder.with_normals && is_ellipse(shape) && degree == 2)
-        bounds[j].evidence = std::max(bounds[j].evidence, evidence_of_balls(statistics, ladder, shape, j));
+        compare_with_balls(statistics, ladder, {shape, degree, j}, bounds[j]);
       if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
     }
     result[degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
