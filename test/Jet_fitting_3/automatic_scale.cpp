@@ -302,19 +302,19 @@ void without_noise_and_scaled()
 }
 
 // What is reported with noise has the digits of a fit by orthogonalization to the same neighbors.
-void digits_of_the_choice()
+void digits_of_the_choice(bool with_normals)
 {
-  const Noisy_cloud noisy(on_torus, .005, 0);
-  const scale::Cloud cloud = noisy.cloud(false);
+  const Noisy_cloud noisy(on_torus, .005, .05);
   const Within within{&noisy.points};
-  const scale::Automatic_scale<Within> automatic(cloud, within);
+  const scale::Automatic_scale<Within> automatic(noisy.cloud(with_normals), within);
+  const scale::Cloud& cloud = automatic.cloud();
   jets::Orthogonal_solver<double> solver;
   Indices near;
   for (std::size_t i = 0; i < size; i += 500) {
     const scale::Point_scale choice = automatic(i, near);
     const jets::Jet<double> jet = *scale::jet_at_scale(cloud, near, choice, 3, automatic.ladder(choice), solver);
     const auto fitted = [&](const scale::Chosen_fit& c) {
-      return scale::fit_of_choice(cloud, near, choice, c, automatic.noise(), solver).fit.jet;
+      return scale::fit_of_choice(cloud, near, choice, c, automatic.ladder(choice), solver).fit.jet;
     };
     const jets::Jet<double> of_normal = fitted(choice.normal), of_x = fitted(choice.curvatures[0]),
                             of_xy = fitted(choice.curvatures[1]);
@@ -359,7 +359,8 @@ int main()
   order_of_the_questions();
   monge_forms();
   without_noise_and_scaled();
-  digits_of_the_choice();
+  digits_of_the_choice(false);
+  digits_of_the_choice(true);
   bad_clouds();
   return test::result();
 }

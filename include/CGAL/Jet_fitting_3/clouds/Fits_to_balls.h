@@ -85,16 +85,13 @@ private:
   Samples samples_over_surface(const Indices& near, const Local_frame& frame, const Ladder& ladder,
                                std::size_t rungs) const
   {
-    std::vector<Look> looks = look_at_all(rungs);
-    const Neighbors_in_balls neighbors(m_cloud, near, frame, ladder, looks);
-    const Balls& balls = neighbors.balls();
-    const Row_weights weights(m_cloud, ladder.noise, balls.unit());
-    const std::vector<Second_order> low = fits_of_degree_2(sums_of_balls<2>(neighbors.in_balls()), weights, balls);
-    find_surfaces(looks, low, ladder);
-    auto shells = neighbors.over_surface(Surface_cut(balls, looks, low, ladder));
+    const std::vector<Look> looks = look_at_all(rungs);
+    const Local_neighbors neighbors(m_cloud, near, frame, unit(ladder));
+    const Balls balls(radii_of(looks, ladder), neighbors.unit());
+    const Row_weights weights(m_cloud, ladder.noise, neighbors.unit());
+    auto shells = neighbors.over_surface(cut_by_heights(neighbors, weights, ladder, balls, looks));
     Samples samples;
     samples.places = std::move(shells.places);
-    for (Vector_3<double>& p : samples.places) p = (balls.unit() / unit(ladder)) * p;
     samples.ends.assign(shells.ends.begin() + std::ptrdiff_t(ladder.first), shells.ends.end());
     return samples;
   }
@@ -103,11 +100,11 @@ private:
                                std::size_t rungs) const
   {
     const double factor = normal_factor(ladder.noise.normal);
-    const Balls balls(ladder, look_at_all(rungs));
+    const Balls balls(radii_of(Rung_range{0, rungs}, ladder), unit(ladder));
     std::vector<std::vector<Local_sample>> shells(rungs);
     for (const std::size_t i : near) {
       const Local_sample s = local_sample(m_cloud, i, frame, 1 / unit(ladder), factor);
-      const std::size_t j = std::size_t(balls.first(s.square / (balls.unit() * balls.unit())));
+      const std::size_t j = std::size_t(balls.first(s.square / (unit(ladder) * unit(ladder))));
       if (j < rungs && s.is_there && dot(m_cloud.normals[i], frame.axes.z) > averaging::least_cosine_of_potentials)
         shells[std::max(j, ladder.first)].push_back(s);
     }

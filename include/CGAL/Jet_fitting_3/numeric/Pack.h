@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 // Packs of GNU's vector extensions, or else of arrays; the latter can be asked for, to try them with GNU's compilers.
 #if defined(__GNUC__) && !defined(CGAL_JET_FITTING_3_NO_VECTOR_EXTENSIONS)
@@ -90,6 +91,13 @@ public:
   }
   void store(T* p) const { std::memcpy(p, &m, sizeof(Register)); }
 
+  /// lane(0), lane(1), ... side by side.
+  template <class Lane>
+  static Pack of_lanes(const Lane& lane)
+  {
+    return of_lanes(lane, std::make_integer_sequence<int, lanes>());
+  }
+
 #if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   friend Pack operator+(Pack a, Pack b) { return Pack(a.m + b.m); }
   friend Pack operator-(Pack a, Pack b) { return Pack(a.m - b.m); }
@@ -135,6 +143,12 @@ public:
 #endif
 
 private:
+  template <class Lane, int... i>
+  static Pack of_lanes(const Lane& lane, std::integer_sequence<int, i...>)
+  {
+    return Pack(Register{lane(i)...});
+  }
+
 #if !defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
   template <class F>
   Pack& apply(const Pack& b, F f)
@@ -170,6 +184,11 @@ public:
   bool operator[](int i) const { return m[i] != 0; }
   Register native() const { return m; }
 
+#if defined(CGAL_JET_FITTING_3_VECTOR_EXTENSIONS)
+  friend Pack_mask operator&(Pack_mask a, Pack_mask b) { return Pack_mask(a.m & b.m); }
+  friend Pack_mask operator|(Pack_mask a, Pack_mask b) { return Pack_mask(a.m | b.m); }
+  friend Pack_mask operator!(Pack_mask a) { return Pack_mask(~a.m); }
+#else
   friend Pack_mask operator&(Pack_mask a, const Pack_mask& b)
   {
     for (int i = 0; i < lanes; ++i) a.m[i] &= b.m[i];
@@ -180,12 +199,12 @@ public:
     for (int i = 0; i < lanes; ++i) a.m[i] |= b.m[i];
     return a;
   }
-
   friend Pack_mask operator!(Pack_mask a)
   {
     for (int i = 0; i < lanes; ++i) a.m[i] = ~a.m[i];
     return a;
   }
+#endif
 
 private:
   Register m;

@@ -132,10 +132,9 @@ private:
     const Learned_choice& learned = m_learned[member];
     m_within(i, reach(m_cloud, ladder, wanted.end()), near);
     if (!frame) frame = local_frame(m_cloud, near, i, ladder);
-    Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
-                                       learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
+    const Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
+                                             learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
     Point_scale scale = choose(local);
-    if (!is_of_high_degree(scale)) scale.over_surface = std::move(local.over_surface);
     scale.level = m_sample.levels[member];
     scale.has_neighbors = has_neighbors(local, rung_of_neighbors);
     return scale;

@@ -323,8 +323,6 @@ std::optional<Point_scale> scale_of_high_degree(const Cloud& cloud, const Indice
                    worse * chosen.doubtful_biases[t]};
   }
   scale.in_ball = scale.curvatures[0];
-  scale.over_surface.resize(rung + 1);
-  scale.over_surface[rung] = std::move(neighbors);
   return scale;
 }
 

@@ -199,7 +199,6 @@ std::vector<Learned_choice> learned_choices(const Cloud& cloud, const Within& wi
     const Ladder& ladder = sample.ladder(k);
     Indices near;
     ladders[k] = local_ladder_at(cloud, within, sample.points[k], ladder, wanted[k], near);
-    std::vector<Indices>().swap(ladders[k].over_surface); // is not needed, and long
     if (sample.ladders.size() == 1)
       close[k] = inside(cloud, near, {cloud.points[sample.points[k]], {}}, ladder.radii[1]);
   };

@@ -55,11 +55,14 @@ constexpr double elongation = 3;
 
 /// The square of the radius that a shape needs to hold what is at this distance from the origin and has these
 /// coordinates.
-inline double squared_radius(Shape shape, double squared_distance, double u, double v)
+/// \tparam FT a number or a pack
+template <class FT>
+FT squared_radius(Shape shape, const FT& squared_distance, const FT& u, const FT& v)
 {
   constexpr double across = elongation * elongation - 1;
   if (!is_ellipse(shape)) return squared_distance;
-  return squared_distance + across * (shape == Shape::along_x ? v * v : u * u);
+  const FT& beside = shape == Shape::along_x ? v : u;
+  return squared_distance + across * beside * beside;
 }
 
 /// The samples in a shape around the origin of a frame.
@@ -76,16 +79,7 @@ inline Indices inside(const Cloud& cloud, const Indices& near, const Local_frame
   return result;
 }
 
-/// What a neighbor contributes, in lengths of the given unit: with normals the potential of the Gauss map stands for
-/// the height, see fit_gauss_map().
-struct Local_sample
-{
-  double u, v, height, slope_u, slope_v;
-  double lever;  ///< the square of what noise of the normal counts for in the height
-  double square; ///< of the distance from the origin
-  bool is_there; ///< not on another sheet, and its normal known
-};
-
+/// In lengths of the given unit.
 inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_frame& frame, double per_unit,
                                  double normal_factor)
 {
@@ -98,17 +92,6 @@ inline Local_sample local_sample(const Cloud& cloud, std::size_t i, const Local_
   s.height *= (1 + std::min(1., std::max(0., normal_factor * n.z))) / 2;
   s.slope_u = -normal_factor * n.x;
   s.slope_v = -normal_factor * n.y;
-  return s;
-}
-
-/// In axes that are turned by an angle from x to y.
-inline Local_sample turned(Local_sample s, double cosine, double sine)
-{
-  const double u = s.u, slope_u = s.slope_u;
-  s.u = cosine * u + sine * s.v;
-  s.v = cosine * s.v - sine * u;
-  s.slope_u = cosine * slope_u + sine * s.slope_v;
-  s.slope_v = cosine * s.slope_v - sine * slope_u;
   return s;
 }
 
@@ -132,14 +115,15 @@ inline Nested_fit fit_ball(const Cloud& cloud, const Indices& near, const Local_
 {
   Shell_sums sums;
   const double factor = normal_factor(noise.normal);
+  std::vector<Local_sample> with_normals;
   std::vector<Vector_3<double>> heights;
-  heights.reserve(near.size());
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, factor);
     if (!s.is_there || s.square > radius * radius) continue;
-    if (cloud.has_normals()) sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+    if (cloud.has_normals()) with_normals.push_back(s);
     else heights.push_back({s.u, s.v, s.height});
   }
+  sums.add(with_normals.data(), with_normals.size());
   sums.add<2>(heights.data(), heights.size());
   const Row_weights weights(cloud, noise, radius);
   return Nested_fit(sums, weights.height, weights.slope, 2);

@@ -58,14 +58,7 @@ struct Local_ladder
     return shape == Shape::ball ? candidates : shape == Shape::flat_ball ? flat : elongated[number_of_ellipse(shape)];
   }
 
-  std::vector<Look> looks;           ///< from positions alone
-  std::vector<Indices> over_surface; ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
-};
-
-/// Some rungs of a ladder.
-struct Rung_range
-{
-  std::size_t first = 0, end = 0;
+  std::vector<Look> looks; ///< from positions alone
 };
 
 /// Those that are fitted, in balls, in ellipses along x and along y. The others have no samples.
@@ -92,81 +85,83 @@ inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs)
   return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.noise.position);
 }
 
-/// The neighbors of a point, for fits from positions alone.
-class Neighbors_in_balls
+/// The neighbors of a point in its frame, for fits from positions alone.
+class Local_neighbors
 {
 public:
-  Neighbors_in_balls(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                     const std::vector<Look>& looks)
-    : m_balls(ladder, looks)
+  /// \param unit of their coordinates
+  Local_neighbors(const Cloud& cloud, const Indices& near, const Local_frame& frame, double unit) : m_unit(unit)
   {
-    m_neighbors.reserve(near.size());
-    m_indices.reserve(near.size());
-    for (const std::size_t i : near) {
-      const Vector_3<double> r = (1 / m_balls.unit()) * frame.axes.in(cloud.points[i] - frame.origin);
-      if (r.x * r.x + r.y * r.y > m_balls.square(m_balls.size() - 1)) continue;
-      m_neighbors.push_back(r);
-      m_indices.push_back(i);
-    }
+    m_places.reserve(near.size());
+    for (const std::size_t i : near) m_places.push_back((1 / unit) * frame.axes.in(cloud.points[i] - frame.origin));
   }
 
-  const Balls& balls() const { return m_balls; }
+  double unit() const { return m_unit; }
 
-  /// The neighbors by the first ball that has them; those that none has are left out.
+  /// The neighbors by the first neighborhood that has them; those that none has are left out.
   struct Shells
   {
-    Indices indices;                      ///< the shells one after the other
-    std::vector<Vector_3<double>> places; ///< in lengths of the unit of the balls
+    std::vector<std::uint32_t> numbers;   ///< among the neighbors: the shells one after the other
+    std::vector<Vector_3<double>> places; ///< in lengths of the unit
     std::vector<std::size_t> ends;
   };
 
   /// For degree 2.
-  Shells in_balls() const
+  Shells in_balls(const Balls& balls) const
   {
-    return in_shells([&](const auto& s) { return m_balls.first(dot(s, s)); });
+    return in_shells(balls.size(), [&](const auto& s) { return balls.first(dot(s, s)); });
+  }
+
+  /// In ellipses, of which balls have the longer axes.
+  /// \param axes from those of the frame to those that the shape has
+  Shells in_ellipses(const Balls& balls, Shape shape, const Turn& axes) const
+  {
+    return in_shells(balls.size(), [&](const auto& s) {
+      const auto u = axes.cosine * s.x + axes.sine * s.y, v = axes.cosine * s.y - axes.sine * s.x;
+      return balls.first(squared_radius(shape, dot(s, s), u, v));
+    });
   }
 
   /// For degrees 3 and 4.
   Shells over_surface(const Surface_cut& cut) const
   {
-    return in_shells([&](const auto& s) { return cut.first(s); });
+    return in_shells(cut.size(), [&](const auto& s) { return cut.first(s); });
   }
 
 private:
-  // By the number of the first ball that has one, as a function.
+  // By the number of the first of so many neighborhoods that has one, as a function.
   template <class First>
-  Shells in_shells(const First& first) const
+  Shells in_shells(std::size_t count, const First& first) const
   {
-    std::vector<std::uint32_t> ball(m_neighbors.size());
+    std::vector<std::uint32_t> shell(m_places.size());
     const auto find = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
       const auto numbers = first(side_by_side);
-      for (std::size_t k = begin; k < end; ++k) ball[k] = std::uint32_t(numbers[int(k - begin)]);
+      for (std::size_t k = begin; k < end; ++k) shell[k] = std::uint32_t(numbers[int(k - begin)]);
     };
-    numeric::for_samples_side_by_side(m_neighbors.data(), m_neighbors.size(), find);
-    std::vector<std::size_t> begins(m_balls.size() + 2, 0);
-    for (const std::uint32_t j : ball) ++begins[j + 1];
+    numeric::for_samples_side_by_side(m_places.data(), m_places.size(), find);
+    std::vector<std::size_t> begins(count + 2, 0);
+    for (const std::uint32_t j : shell) ++begins[j + 1];
     for (std::size_t j = 1; j < begins.size(); ++j) begins[j] += begins[j - 1];
     Shells shells;
     shells.ends.assign(begins.begin() + 1, begins.end() - 1);
     shells.places.resize(shells.ends.back());
-    shells.indices.resize(shells.ends.back());
-    for (std::size_t k = 0; k < ball.size(); ++k) {
-      if (ball[k] == m_balls.size()) continue;
-      const std::size_t place = begins[ball[k]]++;
-      shells.places[place] = m_neighbors[k];
-      shells.indices[place] = m_indices[k];
+    shells.numbers.resize(shells.ends.back());
+    for (std::size_t k = 0; k < shell.size(); ++k) {
+      if (shell[k] == count) continue;
+      const std::size_t place = begins[shell[k]]++;
+      shells.places[place] = m_places[k];
+      shells.numbers[place] = std::uint32_t(k);
     }
     return shells;
   }
 
-  Balls m_balls;
-  std::vector<Vector_3<double>> m_neighbors;
-  Indices m_indices; // of the neighbors
+  double m_unit;
+  std::vector<Vector_3<double>> m_places;
 };
 
-/// Of each ball.
+/// Of each neighborhood.
 template <std::size_t degree>
-std::vector<Round_sums> sums_of_balls(const Neighbors_in_balls::Shells& shells)
+std::vector<Round_sums> sums_of_shells(const Local_neighbors::Shells& shells)
 {
   std::vector<Round_sums> result(shells.ends.size());
   for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
@@ -176,13 +171,15 @@ std::vector<Round_sums> sums_of_balls(const Neighbors_in_balls::Shells& shells)
   return result;
 }
 
-/// To heights in each of the balls.
-inline std::vector<Second_order> fits_of_degree_2(const std::vector<Round_sums>& sums, const Row_weights& weights,
-                                                  const Balls& balls)
+/// By surfaces of degree 2 to heights, that are found.
+inline Surface_cut cut_by_heights(const Local_neighbors& neighbors, const Row_weights& weights, const Ladder& ladder,
+                                  const Balls& balls, std::vector<Look> looks)
 {
-  std::vector<Second_order> result;
-  for (const Round_sums& of_ball : sums) result.push_back(Round_fit(of_ball, weights.height, 2).flat(2, balls.unit()));
-  return result;
+  std::vector<Second_order> low;
+  for (const Round_sums& of_ball : sums_of_shells<2>(neighbors.in_balls(balls)))
+    low.push_back(Round_fit(of_ball, weights.height, 2).flat(2, balls.unit()));
+  find_surfaces(looks, low, ladder);
+  return Surface_cut(balls, looks, low, ladder);
 }
 
 /// The fits of a radius, and their numbers of neighbors.
@@ -198,60 +195,58 @@ struct Fits_to_positions
   std::vector<Fits_of_radius> round, flat;
 };
 
-/// The neighbors of fits of degrees 3 and 4, and a fit to them.
+/// A fit to some of the neighbors in a shell.
 struct Cut_fit
 {
-  std::vector<std::size_t> neighbors; ///< numbers in shells
+  std::vector<char> stays; ///< one a neighbor
+  double size;             ///< how many stay
   Round_fit fit;
 };
 
 /// To those of ball j that are on both sides of a fit; and once more, for the first fit has the bias of those on one
 /// side. Where that leaves out many, noise hides where the surface is, and all stay.
-inline Cut_fit fit_on_both_sides(const Neighbors_in_balls::Shells& shells, const Surface_cut& cut, std::size_t j,
+inline Cut_fit fit_on_both_sides(const Local_neighbors::Shells& shells, const Surface_cut& cut, std::size_t j,
                                  const Round_sums& of_all, double weight)
 {
   constexpr double most = 0.25; // part of the neighbors
   const std::size_t count = shells.ends[j];
-  Cut_fit all{std::vector<std::size_t>(count), Round_fit(of_all, weight, highest_nested_degree)};
-  std::iota(all.neighbors.begin(), all.neighbors.end(), std::size_t(0));
+  const Cut_fit all{std::vector<char>(count, 1), of_all.size(), Round_fit(of_all, weight, highest_nested_degree)};
   Cut_fit result = all;
   for (int time = 0; time < 2; ++time) {
-    const std::optional<Round_surface> surface = result.fit.surface();
+    const std::optional surface = result.fit.surface<numeric::Side_by_side>();
     if (!surface) return result;
-    std::vector<std::size_t> neighbors;
-    std::vector<Vector_3<double>> left_out;
-    neighbors.reserve(count);
+    std::vector<char> stays(count);
     const auto are_on_both_sides = cut.on_both_sides(j, *surface);
     const auto select = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
       const auto stay = are_on_both_sides(side_by_side);
-      for (std::size_t k = begin; k < end; ++k)
-        if (stay[int(k - begin)]) neighbors.push_back(k);
-        else left_out.push_back(shells.places[k]);
+      for (std::size_t k = begin; k < end; ++k) stays[k] = stay[int(k - begin)];
     };
     numeric::for_samples_side_by_side(shells.places.data(), count, select);
-    if (neighbors == result.neighbors) return result;
+    if (stays == result.stays) return result;
+    std::vector<Vector_3<double>> left_out;
+    left_out.reserve(std::size_t(std::count(stays.begin(), stays.end(), 0)));
+    for (std::size_t k = 0; k < count; ++k)
+      if (!stays[k]) left_out.push_back(shells.places[k]);
     if (double(left_out.size()) > most * double(count)) return all;
     Round_sums of_left_out, sums = of_all;
     of_left_out.add<highest_nested_degree>(left_out.data(), left_out.size());
     sums -= of_left_out;
-    result = {std::move(neighbors), Round_fit(sums, weight, highest_nested_degree)};
+    result = {std::move(stays), sums.size(), Round_fit(sums, weight, highest_nested_degree)};
   }
   return result;
 }
 
 /// From positions alone.
 /// \param looks surfaces that are to be found are found
-/// \param over_surface see Local_ladder; one a look
-inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                           const Ladder& ladder, std::vector<Look>& looks,
-                                           std::vector<Indices>& over_surface)
+inline Fits_to_positions fits_to_positions(const Local_neighbors& neighbors, const Row_weights& weights,
+                                           const Ladder& ladder, std::vector<Look>& looks)
 {
-  const Neighbors_in_balls neighbors(cloud, near, frame, ladder, looks);
-  const Balls& balls = neighbors.balls();
-  const Row_weights weights(cloud, ladder.noise, balls.unit());
-  const std::vector<Round_sums> of_balls = sums_of_balls<2>(neighbors.in_balls());
+  const Balls balls(radii_of(looks, ladder), neighbors.unit());
+  const std::vector<Round_sums> of_balls = sums_of_shells<2>(neighbors.in_balls(balls));
   std::vector<Flat_and_round> of_degree_2;
   std::vector<Second_order> low;
+  of_degree_2.reserve(looks.size());
+  low.reserve(looks.size());
   for (const Round_sums& of_ball : of_balls) {
     of_degree_2.push_back(Round_fit(of_ball, weights.height, 2).of_degree(2, balls.unit()));
     low.push_back(of_degree_2.back().flat);
@@ -259,88 +254,79 @@ inline Fits_to_positions fits_to_positions(const Cloud& cloud, const Indices& ne
   find_surfaces(looks, low, ladder);
   const Surface_cut cut(balls, looks, low, ladder);
   const auto shells = neighbors.over_surface(cut);
-  const std::vector<Round_sums> sums = sums_of_balls<highest_nested_degree>(shells);
-  over_surface.resize(looks.size());
-  Fits_to_positions result;
+  const std::vector<Round_sums> sums = sums_of_shells<highest_nested_degree>(shells);
+  Fits_to_positions result{std::vector<Fits_of_radius>(looks.size()), std::vector<Fits_of_radius>(looks.size())};
   for (std::size_t j = 0; j < looks.size(); ++j) {
-    Fits_of_radius flat, round;
-    const auto add = [&](const Flat_and_round& found, std::size_t d) {
+    Fits_of_radius &flat = result.flat[j], &round = result.round[j];
+    const auto set = [&](const Flat_and_round& found, std::size_t d, double size) {
+      flat.sizes[d - 2] = round.sizes[d - 2] = size;
       flat.fits[d - 2] = with_misfit_as_noise(found.flat);
       round.fits[d - 2] = with_misfit_as_noise(found.round);
     };
-    flat.sizes[0] = of_balls[j].size();
-    add(of_degree_2[j], 2);
-    if (looks[j].is_cut) {
-      Cut_fit fitted = fit_on_both_sides(shells, cut, j, sums[j], weights.height);
-      flat.sizes[1] = flat.sizes[2] = double(fitted.neighbors.size());
-      for (std::size_t d = 3; d <= highest_nested_degree; ++d) add(fitted.fit.of_degree(d, balls.unit()), d);
-      for (const std::size_t k : fitted.neighbors) over_surface[j].push_back(shells.indices[k]);
-    }
-    round.sizes = flat.sizes;
-    result.flat.push_back(flat);
-    result.round.push_back(round);
+    set(of_degree_2[j], 2, of_balls[j].size());
+    if (!looks[j].is_cut) continue;
+    Cut_fit cut_fit = fit_on_both_sides(shells, cut, j, sums[j], weights.height);
+    for (std::size_t d = 3; d <= highest_nested_degree; ++d)
+      set(cut_fit.fit.of_degree(d, balls.unit()), d, cut_fit.size);
   }
   return result;
-}
-
-/// The sums of all shells from those of each, one more than balls, for what lies outside.
-inline void accumulate(std::vector<Shell_sums>& shells)
-{
-  for (std::size_t j = 1; j < shells.size(); ++j) shells[j] += shells[j - 1];
 }
 
 /// The neighbors of a point, for fits with normals, which tell other sheets, and whose noise is not cut off.
 class Oriented_neighbors
 {
 public:
+  /// \param unit of lengths
   Oriented_neighbors(const Cloud& cloud, const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                     std::size_t rungs)
-    : m_balls(ladder, look_at_all(rungs)), m_weights(cloud, ladder.noise, m_balls.unit())
+                     double unit)
+    : m_ladder(ladder), m_unit(unit), m_weights(cloud, ladder.noise, unit)
   {
     const double factor = normal_factor(ladder.noise.normal);
     m_samples.reserve(near.size());
     for (const std::size_t i : near) {
-      Local_sample s = local_sample(cloud, i, frame, 1 / m_balls.unit(), factor);
-      s.square /= m_balls.unit() * m_balls.unit();
-      if (s.is_there && s.square <= 1) m_samples.push_back(s);
+      Local_sample s = local_sample(cloud, i, frame, 1 / unit, factor);
+      s.square /= unit * unit;
+      if (s.is_there) m_samples.push_back(s);
     }
   }
 
-  /// \param rungs those from the first to the end have samples
-  /// \param cosine, sine of the angle from x to y by which axes are turned
-  std::vector<Fits_of_radius> fits(Shape shape, const Rung_range& rungs, double cosine = 1, double sine = 0) const
+  /// \param rungs those from the first to the end
+  /// \param axes from those of the frame to those that the shape has
+  std::vector<Fits_of_radius> fits(Shape shape, const Rung_range& rungs, const Turn& axes = {}) const
   {
-    std::vector<Shell_sums> sums(m_balls.size() + 1);
-    for (const Local_sample& sample : m_samples) {
-      if (rungs.end < m_balls.size() && sample.square > m_balls.square(rungs.end - 1)) continue;
-      const Local_sample s = shape == Shape::ball ? sample : turned(sample, cosine, sine);
-      const std::size_t j =
-          std::max(rungs.first, std::size_t(m_balls.first(squared_radius(shape, s.square, s.u, s.v))));
-      if (j < rungs.end) sums[j].add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+    const Balls balls(radii_of(rungs, m_ladder), m_unit);
+    std::vector<std::vector<Local_sample>> shells(balls.size());
+    for (const Local_sample& s : m_samples) {
+      if (s.square > balls.square(balls.size() - 1)) continue;
+      const double u = axes.cosine * s.u + axes.sine * s.v, v = axes.cosine * s.v - axes.sine * s.u;
+      const auto j = std::size_t(balls.first(squared_radius(shape, s.square, u, v)));
+      if (j < shells.size()) shells[j].push_back(s);
     }
-    accumulate(sums);
-    std::vector<Fits_of_radius> result(m_balls.size());
-    for (std::size_t j = rungs.first; j < rungs.end; ++j) {
-      const Nested_fit fit(sums[j], m_weights.height, m_weights.slope);
-      result[j].sizes.fill(sums[j].size());
-      for (std::size_t d = 2; d <= highest_nested_degree; ++d)
-        result[j].fits[d - 2] = second_order(fit, d, m_balls.unit());
+    std::vector<Fits_of_radius> result(rungs.end);
+    Shell_sums sums;
+    for (std::size_t j = 0; j < shells.size(); ++j) {
+      sums.add(shells[j].data(), shells[j].size());
+      const Nested_fit fit(sums, m_weights.height, m_weights.slope);
+      Fits_of_radius& of_radius = result[rungs.first + j];
+      of_radius.sizes.fill(sums.size());
+      for (std::size_t d = 2; d <= highest_nested_degree; ++d) of_radius.fits[d - 2] = second_order(fit, d, m_unit);
     }
     return result;
   }
 
 private:
-  Balls m_balls;
+  const Ladder& m_ladder;
+  double m_unit;
   Row_weights m_weights;
-  std::vector<Local_sample> m_samples; // in lengths of the unit of the balls
+  std::vector<Local_sample> m_samples;
 };
 
-inline std::vector<Rung> turned(const std::vector<Fits_of_radius>& fits, double cosine, double sine)
+inline std::vector<Rung> turned(const std::vector<Fits_of_radius>& fits, const Turn& turn)
 {
   std::vector<Rung> rungs(fits.size());
   for (std::size_t j = 0; j < fits.size(); ++j) {
     rungs[j].sizes = fits[j].sizes;
-    for (std::size_t d = 0; d < 3; ++d) rungs[j].fits[d] = turned(fits[j].fits[d], cosine, sine);
+    for (std::size_t d = 0; d < 3; ++d) rungs[j].fits[d] = turned(fits[j].fits[d], turn.cosine, turn.sine);
   }
   return rungs;
 }
@@ -364,27 +350,22 @@ inline Local_frame turned(const Local_frame& frame, const Turn& turn)
   return {frame.origin, turned_axes(frame.axes, turn.cosine, turn.sine)};
 }
 
-/// To round heights in an ellipse along an axis of the frame, from positions alone.
+/// To round heights in an ellipse, from positions alone.
 /// \param rungs those from the first to the end
-inline std::vector<Rung> rungs_in_ellipse(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                          const Ladder& ladder, Shape shape, const Rung_range& rungs)
+/// \param axes from those of the frame to those that the shape has
+inline std::vector<Fits_of_radius> fits_in_ellipses(const Local_neighbors& neighbors, const Row_weights& weights,
+                                                    const Ladder& ladder, Shape shape, const Rung_range& rungs,
+                                                    const Turn& axes)
 {
-  const Balls balls(ladder, look_at_all(rungs.end));
-  std::vector<std::vector<Vector_3<double>>> shells(rungs.end);
-  for (const std::size_t i : near) {
-    const Vector_3<double> s = (1 / balls.unit()) * frame.axes.in(cloud.points[i] - frame.origin);
-    const auto j = std::size_t(balls.first(squared_radius(shape, dot(s, s), s.x, s.y)));
-    if (j < rungs.end) shells[std::max(j, rungs.first)].push_back(s);
-  }
-  const Row_weights weights(cloud, ladder.noise, balls.unit());
-  std::vector<Rung> result(rungs.end);
-  Round_sums sums;
-  for (std::size_t j = rungs.first; j < rungs.end; ++j) {
-    sums.add<highest_nested_degree>(shells[j].data(), shells[j].size());
-    Round_fit fit(sums, weights.height, highest_nested_degree);
-    result[j].sizes.fill(sums.size());
+  const Balls balls(radii_of(rungs, ladder), neighbors.unit());
+  std::vector<Fits_of_radius> result(rungs.end);
+  const std::vector<Round_sums> sums = sums_of_shells<highest_nested_degree>(neighbors.in_ellipses(balls, shape, axes));
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    Fits_of_radius& of_radius = result[rungs.first + j];
+    Round_fit fit(sums[j], weights.height, highest_nested_degree);
+    of_radius.sizes.fill(sums[j].size());
     for (std::size_t d = 2; d <= highest_nested_degree; ++d)
-      result[j].fits[d - 2] = turned(with_misfit_as_noise(fit.of_degree(d, balls.unit()).round), 1, 0);
+      of_radius.fits[d - 2] = with_misfit_as_noise(fit.of_degree(d, balls.unit()).round);
   }
   return result;
 }
@@ -406,25 +387,23 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
 {
   Local_ladder result;
   result.looks = wanted.looks.empty() ? look_at_all(wanted.balls.end) : wanted.looks;
-  std::vector<Indices> over_surface;
-  const Fits_to_positions fits = fits_to_positions(cloud, near, frame, ladder, result.looks, over_surface);
+  const Local_neighbors neighbors(cloud, near, frame, ladder.radii[wanted.end() - 1]);
+  const Row_weights weights(cloud, ladder.noise, neighbors.unit());
+  const Fits_to_positions fits = fits_to_positions(neighbors, weights, ladder, result.looks);
   const Turn turn = axis
                         ? turn_towards(*axis, frame)
                         : turn_to_principal_direction(fits.round[std::min(ladder.axes, fits.round.size() - 1)].fits[0]);
   result.frame = turned(frame, turn);
   const auto put = [&](const std::vector<Fits_of_radius>& of_looks, std::vector<Rung>& to) {
     to.resize(result.looks.back().rung + 1);
-    const std::vector<Rung> rungs = turned(of_looks, turn.cosine, turn.sine);
+    const std::vector<Rung> rungs = turned(of_looks, turn);
     for (std::size_t j = 0; j < rungs.size(); ++j) to[result.looks[j].rung] = rungs[j];
   };
   put(fits.round, result.candidates);
   put(fits.flat, result.flat);
   for_ellipses(wanted, [&](std::size_t k, Shape shape, const Rung_range& rungs) {
-    result.elongated[k] = rungs_in_ellipse(cloud, near, result.frame, ladder, shape, rungs);
+    result.elongated[k] = turned(fits_in_ellipses(neighbors, weights, ladder, shape, rungs, turn), turn);
   });
-  result.over_surface.resize(result.candidates.size());
-  for (std::size_t j = 0; j < over_surface.size(); ++j)
-    result.over_surface[result.looks[j].rung] = std::move(over_surface[j]);
   return result;
 }
 
@@ -432,14 +411,14 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
 inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                         const Ladder& ladder, const Wanted_rungs& wanted)
 {
-  const Oriented_neighbors neighbors(cloud, near, frame, ladder, wanted.end());
+  const Oriented_neighbors neighbors(cloud, near, frame, ladder, ladder.radii[wanted.end() - 1]);
   const std::vector<Fits_of_radius> fits = neighbors.fits(Shape::ball, wanted.balls);
   const Turn turn = turn_to_principal_direction(fits[std::min(ladder.axes, wanted.balls.end - 1)].fits[0]);
   Local_ladder result;
   result.frame = turned(frame, turn);
-  result.candidates = turned(fits, turn.cosine, turn.sine);
+  result.candidates = turned(fits, turn);
   for_ellipses(wanted, [&](std::size_t k, Shape shape, const Rung_range& rungs) {
-    result.elongated[k] = turned(neighbors.fits(shape, rungs, turn.cosine, turn.sine), 1, 0);
+    result.elongated[k] = turned(neighbors.fits(shape, rungs, turn), turn);
   });
   return result;
 }
@@ -448,11 +427,19 @@ inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near,
 inline Indices neighbors_over_surface(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                       const Ladder& ladder, std::size_t rung)
 {
+  const Local_neighbors neighbors(cloud, near, frame, ladder.radii[rung]);
+  const Row_weights weights(cloud, ladder.noise, neighbors.unit());
   std::vector<Look> looks = look_at_all(rung + 1);
   for (std::size_t j = 0; j < rung; ++j) looks[j].is_cut = false;
-  std::vector<Indices> result;
-  fits_to_positions(cloud, near, frame, ladder, looks, result);
-  return result.back();
+  const Balls balls(radii_of(looks, ladder), neighbors.unit());
+  const Surface_cut cut = cut_by_heights(neighbors, weights, ladder, balls, looks);
+  const auto shells = neighbors.over_surface(cut);
+  const Round_sums sums = sums_of_shells<highest_nested_degree>(shells).back();
+  const Cut_fit fitted = fit_on_both_sides(shells, cut, rung, sums, weights.height);
+  Indices result;
+  for (std::size_t k = 0; k < fitted.stays.size(); ++k)
+    if (fitted.stays[k]) result.push_back(near[shells.numbers[k]]);
+  return result;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

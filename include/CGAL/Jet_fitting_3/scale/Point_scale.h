@@ -60,7 +60,6 @@ struct Point_scale
   std::array<Chosen_fit, 3> curvatures; ///< for J_xx, J_xy, J_yy in the frame
   Chosen_fit in_ball;                   ///< for J_xx if it is to be a ball, of which there are higher orders, too
   Jet<double> jet{2};                   ///< of the surface in the frame, with the digits of normal equations
-  std::vector<Indices> over_surface;    ///< from positions alone, one a radius: the neighbors of degrees 3 and 4
   std::size_t level = 0;                ///< of the density of points, which has a ladder of its own
   bool is_unlike_others = false; ///< second derivatives would be others but for a bias that only this point shows
   bool is_chosen = true;         ///< false where no bias is known: no point of the subsample nearby, too few points

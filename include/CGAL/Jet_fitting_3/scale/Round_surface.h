@@ -9,7 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
-#include <CGAL/Jet_fitting_3/scale/monomials.h>
+#include <CGAL/Jet_fitting_3/scale/nested_degrees.h>
 
 #include <array>
 
@@ -19,15 +19,16 @@ namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// The surface whose round heights are a polynomial of degree 4.
+/// \tparam FT of the coefficients and of places: a number, or a pack with all lanes alike
+template <class FT = double>
 struct Round_surface
 {
   static_assert(highest_nested_degree == 4, "the polynomial is written out");
 
-  std::array<double, number_of_unknowns> c{}; ///< its coefficients, of 1, u, v, u^2, uv, v^2, ...
+  std::array<FT, number_of_unknowns> c{}; ///< its coefficients, of 1, u, v, u^2, uv, v^2, ...
   Roundness round;
 
   /// The round height over a place in the tangent plane.
-  template <class FT>
   FT round_height(const FT& u, const FT& v) const
   {
     const FT of_1 = c[0] + v * (c[2] + v * (c[5] + v * (c[9] + v * c[14])));
@@ -38,7 +39,6 @@ struct Round_surface
 
   /// The square of about the cosine of the angle with the tangent plane where the round height is this: of the
   /// derivative of round heights by heights, but for their part with z^3. Not positive where there is no surface.
-  template <class FT>
   FT squared_cosine(const FT& u, const FT& v, const FT& round_height) const
   {
     const FT of_z = 1 + round.product / 4 * (u * u + v * v);

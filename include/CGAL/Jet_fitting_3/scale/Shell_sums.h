@@ -10,7 +10,7 @@
 #include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
-#include <CGAL/Jet_fitting_3/scale/monomials.h>
+#include <CGAL/Jet_fitting_3/scale/nested_degrees.h>
 
 #include <array>
 #include <cstddef>
@@ -20,6 +20,16 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// What a neighbor contributes, in lengths of some unit: with normals the potential of the Gauss map stands for the
+/// height, see fit_gauss_map().
+struct Local_sample
+{
+  double u, v, height, slope_u, slope_v;
+  double lever;  ///< the square of what noise of the normal counts for in the height
+  double square; ///< of the distance from the origin
+  bool is_there; ///< not on another sheet, and its normal known
+};
+
 /// What neighbors contribute to the normal equations of all degrees up to 4: sums over them, which nest over balls and
 /// over degrees. A matrix of normal equations has only moments for entries, 45 of them.
 struct Shell_sums
@@ -28,7 +38,7 @@ struct Shell_sums
   std::array<double, number_of_unknowns> heights{};                                    ///< of u^i v^j times the height
   /// @{
   /// Of u^i v^j times the slopes.
-  std::array<double, number_of_jet_coefficients(highest_nested_degree - 1)> slopes_u{}, slopes_v{};
+  std::array<double, number_of_unknowns> slopes_u{}, slopes_v{};
   /// @}
   double squared_heights = 0, squared_slopes = 0;
   double levers = 0; ///< of Local_sample
@@ -45,34 +55,30 @@ struct Shell_sums
     for (std::size_t k = 0; k < count; ++k) squared_heights += neighbors[k].z * neighbors[k].z;
   }
 
-  /// A neighbor whose normal gives the slopes.
-  void add(double u, double v, double height, double slope_u, double slope_v, double lever)
+  /// Neighbors whose normals give the slopes.
+  void add(const Local_sample* neighbors, std::size_t count)
   {
-    double m[number_of_jet_coefficients(2 * highest_nested_degree)];
-    monomials<2 * highest_nested_degree>(u, v, m);
-    for (std::size_t k = 0; k < moments.size(); ++k) moments[k] += m[k];
-    for (std::size_t k = 0; k < heights.size(); ++k) heights[k] += height * m[k];
-    squared_heights += height * height;
-    for (std::size_t k = 0; k < slopes_u.size(); ++k) slopes_u[k] += slope_u * m[k];
-    for (std::size_t k = 0; k < slopes_v.size(); ++k) slopes_v[k] += slope_v * m[k];
-    levers += lever;
-    squared_slopes += slope_u * slope_u + slope_v * slope_v;
-  }
-
-  /// All neighbors of another shell.
-  Shell_sums& operator+=(const Shell_sums& other)
-  {
-    const auto add_all = [](auto& to, const auto& from) {
-      for (std::size_t k = 0; k < to.size(); ++k) to[k] += from[k];
+    using numeric::moment_sums::lanes_of;
+    const auto load = [neighbors](std::size_t first, std::size_t n) {
+      const auto pack = [&](const auto& number) {
+        return lanes_of(n, [&](std::size_t i) { return number(neighbors[first + i]); });
+      };
+      return numeric::moment_sums::Packed_samples<3>{pack([](const Local_sample& s) { return s.u; }),
+                                                     pack([](const Local_sample& s) { return s.v; }),
+                                                     numeric::moment_sums::weights(n),
+                                                     {pack([](const Local_sample& s) { return s.height; }),
+                                                      pack([](const Local_sample& s) { return s.slope_u; }),
+                                                      pack([](const Local_sample& s) { return s.slope_v; })}};
     };
-    add_all(moments, other.moments);
-    add_all(heights, other.heights);
-    add_all(slopes_u, other.slopes_u);
-    add_all(slopes_v, other.slopes_v);
-    squared_heights += other.squared_heights;
-    levers += other.levers;
-    squared_slopes += other.squared_slopes;
-    return *this;
+    numeric::add_moments_of<2 * highest_nested_degree, highest_nested_degree, 3>(count, load, moments.data(),
+                                                                                 {heights.data(), slopes_u.data(),
+                                                                                  slopes_v.data()});
+    for (std::size_t k = 0; k < count; ++k) {
+      const Local_sample& s = neighbors[k];
+      squared_heights += s.height * s.height;
+      levers += s.lever;
+      squared_slopes += s.slope_u * s.slope_u + s.slope_v * s.slope_v;
+    }
   }
 };
 

@@ -44,16 +44,32 @@ inline std::vector<Look> look_at_all(std::size_t rungs)
   return looks;
 }
 
-/// Balls of a ladder, by size, in lengths of the largest radius.
+/// Some rungs of a ladder.
+struct Rung_range
+{
+  std::size_t first = 0, end = 0;
+};
+
+inline std::vector<double> radii_of(const std::vector<Look>& looks, const Ladder& ladder)
+{
+  std::vector<double> radii;
+  for (const Look& look : looks) radii.push_back(ladder.radii[look.rung]);
+  return radii;
+}
+
+inline std::vector<double> radii_of(const Rung_range& rungs, const Ladder& ladder)
+{
+  const auto radius = [&](std::size_t j) { return ladder.radii.begin() + std::ptrdiff_t(j); };
+  return {radius(rungs.first), radius(rungs.end)};
+}
+
+/// Balls by size, in lengths of a unit.
 class Balls
 {
 public:
-  Balls(const Ladder& ladder, const std::vector<Look>& looks) : m_unit(ladder.radii[looks.back().rung])
+  Balls(const std::vector<double>& radii, double unit) : m_unit(unit)
   {
-    for (const Look& look : looks) {
-      const double radius = ladder.radii[look.rung] / m_unit;
-      m_squares.push_back(radius * radius);
-    }
+    for (const double r : radii) m_squares.push_back(r / unit * (r / unit));
   }
 
   double unit() const { return m_unit; }
@@ -116,6 +132,9 @@ public:
     for (const Second_order& fit : of_balls) m_surfaces.push_back(heights(fit));
   }
 
+  /// The number of balls.
+  std::size_t size() const { return m_balls.size(); }
+
   /// The number of the first ball that has a neighbor, given in lengths of their unit; the number of balls if none has.
   /// \tparam FT a number or a pack
   template <class FT>
@@ -138,10 +157,10 @@ public:
   /// Where the surface leaves the one of degree 2 that cuts, neighbors are near that if their noise is towards it, and
   /// would pull fits of degree 4.
   /// \param fitted to the neighbors that ball j has
-  auto on_both_sides(std::size_t j, const Round_surface& fitted) const
+  template <class FT>
+  auto on_both_sides(std::size_t j, const Round_surface<FT>& fitted) const
   {
-    return [fitted, &surface = m_surfaces[m_surface[j]], nearest = m_nearest](const auto& s) {
-      using FT = std::decay_t<decltype(s.x)>;
+    return [&fitted, &surface = m_surfaces[m_surface[j]], nearest = m_nearest](const Vector_3<FT>& s) {
       const FT least_cosine = 0.4; // where it is steeper, noise of heights is large
       const Place<FT> place(surface, nearest, s);
       // The surface is between these heights if the image of the neighbor at it is not far. Round heights tell.

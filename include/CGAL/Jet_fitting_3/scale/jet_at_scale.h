@@ -8,6 +8,7 @@
 #define CGAL_JET_FITTING_3_SCALE_JET_AT_SCALE_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Gauss_map_sums.h>
 #include <CGAL/Jet_fitting_3/scale/Point_scale.h>
 #include <CGAL/Jet_fitting_3/steps/gauss_map_fitting.h>
 #include <CGAL/Jet_fitting_3/steps/jet_fitting.h>
@@ -70,21 +71,20 @@ Fit_at_scale fit_to_samples(const Cloud& cloud, const Indices& inside, const Loc
 }
 
 /// The neighbors of a choice. \param near holds the neighbors within reach() of it, and perhaps others
-inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale,
-                                   const Chosen_fit& c)
+inline Indices neighbors_of_choice(const Cloud& cloud, const Indices& near, const Local_frame& frame,
+                                   const Chosen_fit& c, const Ladder& ladder)
 {
-  if (cloud.has_normals() || c.degree == 2 || is_ellipse(c.shape))
-    return inside(cloud, near, scale.frame, c.radius, c.shape);
-  return scale.over_surface[c.rung];
+  if (cloud.has_normals() || c.degree == 2 || is_ellipse(c.shape)) return inside(cloud, near, frame, c.radius, c.shape);
+  return neighbors_over_surface(cloud, near, frame, ladder, c.rung);
 }
 
 /// To them.
 template <class Solver>
 Fit_at_scale fit_of_choice(const Cloud& cloud, const Indices& near, const Point_scale& scale, const Chosen_fit& choice,
-                           const Noise& noise, Solver& solver)
+                           const Ladder& ladder, Solver& solver)
 {
-  return fit_to_samples(cloud, neighbors_of_choice(cloud, near, scale, choice), scale.frame, choice.radius,
-                        choice.degree, noise, solver, choice.round);
+  return fit_to_samples(cloud, neighbors_of_choice(cloud, near, scale.frame, choice, ladder), scale.frame,
+                        choice.radius, choice.degree, ladder.noise, solver, choice.round);
 }
 
 /// Of a degree for which no choice is made, with the ball of J_xx.
@@ -102,17 +102,40 @@ Jet_fit<double> fit_of_higher_degree(const Cloud& cloud, const Indices& near, co
 /// data derivatives grow without bound where it leans by 90.
 inline bool keeps_to_frame(const Jet<double>& jet) { return jet(1, 0) * jet(1, 0) + jet(0, 1) * jet(0, 1) < 1; }
 
-/// Whether noise leaves fewer digits than normal equations. Not with normals: what is compared leaves the defect of the
-/// Gauss map out.
+/// Whether noise leaves fewer digits than normal equations.
 inline bool noise_exceeds_rounding(const Cloud& cloud, const Noise& noise, double radius)
 {
-  return !cloud.has_normals() && noise.position > 1e-7 * radius;
+  constexpr double rounding = 1e-7;
+  return noise.position > rounding * radius && (!cloud.has_normals() || noise.normal > rounding);
+}
+
+/// The jet of the fit that was chosen, up to its degree, in the unit of the cloud; nothing where samples do not
+/// determine it.
+template <class Solver>
+std::optional<Jet<double>> jet_of_fit(const Cloud& cloud, const Indices& near, const Point_scale& scale,
+                                      const Chosen_fit& choice, const Ladder& ladder, Solver& solver)
+{
+  const Noise& noise = ladder.noise;
+  std::optional<Jet<double>> jet;
+  if (cloud.has_normals() && choice.degree <= highest_nested_degree &&
+      noise_exceeds_rounding(cloud, noise, choice.radius)) {
+    const Row_weights weights(cloud, noise, choice.radius);
+    const Indices neighbors = neighbors_of_choice(cloud, near, scale.frame, choice, ladder);
+    jet = Gauss_map_sums(cloud, neighbors, scale.frame, choice.radius, normal_factor(noise.normal))
+              .jet(choice.degree, weights.slope / weights.height);
+    if (jet) measure_in_smaller_unit(*jet, choice.radius);
+  } else {
+    const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, choice, ladder, solver).fit;
+    if (fit.solution.rank == number_of_jet_coefficients(choice.degree)) jet = fit.jet;
+  }
+  return jet && (!cloud.has_normals() || keeps_to_frame(*jet)) ? jet : std::nullopt;
 }
 
 /// The jet of the surface in the frame of the choice, to the given order, in the unit of the cloud: slopes and height
 /// are from the fit that was chosen for the normal, second derivatives each from its own, higher ones, unless they are
 /// known, from a fit with the ball of J_xx. Orders up to 2 are those of the choice where that has the digits, else fits
-/// are made anew, by orthogonalization; equal choices share a fit.
+/// are made anew: with normals for the defect of the Gauss map, which what is compared leaves out, or by
+/// orthogonalization; equal choices share a fit.
 /// \param near holds the neighbors within reach() of the largest chosen radius
 /// \param known 2, or the highest order that is: orders 3 to that are left 0
 /// \return nothing where samples do not determine it: where they lie on a line, or beside the origin
@@ -125,10 +148,9 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
   const auto fitted = [&](const Chosen_fit& c) -> const Jet<double>& {
     for (const auto& made : fits)
       if (made.first.shape == c.shape && made.first.rung == c.rung && made.first.degree == c.degree) return made.second;
-    const Jet_fit<double> fit = fit_of_choice(cloud, near, scale, c, ladder.noise, solver).fit;
-    is_determined = is_determined && fit.solution.rank == number_of_jet_coefficients(c.degree) &&
-                    (!cloud.has_normals() || keeps_to_frame(fit.jet));
-    fits.emplace_back(c, fit.jet);
+    const std::optional<Jet<double>> jet = jet_of_fit(cloud, near, scale, c, ladder, solver);
+    is_determined = is_determined && jet;
+    fits.emplace_back(c, jet.value_or(Jet<double>(c.degree)));
     return fits.back().second;
   };
   Jet<double> jet(std::max<std::size_t>(order, 2));
@@ -138,8 +160,9 @@ std::optional<Jet<double>> jet_at_scale(const Cloud& cloud, const Indices& near,
     is_determined = fit.solution.rank == number_of_jet_coefficients(degree);
     for (std::size_t k = known + 1; k <= order; ++k) std::copy_n(fit.jet.part(k), k + 1, jet.part(k));
   }
-  if (scale.is_chosen && (scale.normal.degree > highest_nested_degree ||
-                          noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius))) {
+  const bool has_digits = scale.normal.degree > highest_nested_degree ||
+                          (!cloud.has_normals() && noise_exceeds_rounding(cloud, ladder.noise, scale.normal.radius));
+  if (scale.is_chosen && has_digits) {
     for (std::size_t k = 0; k <= 2; ++k) std::copy_n(scale.jet.part(k), k + 1, jet.part(k));
   } else {
     const Jet<double> of_normal = fitted(scale.normal);

@@ -62,10 +62,9 @@ inline Samples_and_sums samples_and_sums(const Cloud& cloud, const Indices& near
   Samples_and_sums result;
   for (const std::size_t i : near) {
     const Local_sample s = local_sample(cloud, i, frame, 1 / radius, 1);
-    if (!s.is_there) continue;
-    result.samples.push_back(s);
-    result.sums.add(s.u, s.v, s.height, s.slope_u, s.slope_v, s.lever);
+    if (s.is_there) result.samples.push_back(s);
   }
+  result.sums.add(result.samples.data(), result.samples.size());
   return result;
 }
 

@@ -151,14 +151,16 @@ public:
   }
 
   /// Of the highest degree, in the unit of the sums; none where the samples do not determine it.
-  std::optional<Round_surface> surface()
+  /// \tparam FT see Round_surface
+  template <class FT>
+  std::optional<Round_surface<FT>> surface()
   {
     if (!m_fit.determines(highest_nested_degree)) return std::nullopt;
     const auto round = roundness(second(m_rights[0], highest_nested_degree), second(m_rights[1], highest_nested_degree),
                                  second(m_rights[2], highest_nested_degree));
     if (!round) return std::nullopt;
     set_right_side(round->factors());
-    Round_surface result;
+    Round_surface<FT> result;
     for (std::size_t k = 0; k < number_of_unknowns; ++k) result.c[k] = m_fit.coefficient(k, highest_nested_degree);
     result.round = *round;
     return result;

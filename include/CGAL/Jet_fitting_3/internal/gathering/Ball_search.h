@@ -51,10 +51,10 @@ public:
   void operator()(std::size_t sample, double radius, Indices& found) const
   {
     found.clear();
-    std::unique_ptr<Search> search = borrowed();
-    Rows rows{found, {}};
     const Index s = static_cast<Index>(sample);
-    search->within_radius(s, s + 1, radius / m_per_length, m_samples, rows);
+    std::unique_ptr<Search> search = borrowed(s);
+    Rows rows{found, {}};
+    search->within_radius_of_next(s, radius / m_per_length, m_samples, rows);
     if (!m_left_out.empty()) {
       const auto is_left_out = [this](std::size_t k) { return m_left_out[k] != 0; };
       found.erase(std::remove_if(found.begin(), found.end(), is_left_out), found.end());
@@ -77,10 +77,13 @@ private:
     }
   };
 
-  std::unique_ptr<Search> borrowed() const
+  // The last one that was near this sample, if there is one.
+  std::unique_ptr<Search> borrowed(Index sample) const
   {
     const std::lock_guard<Spin_mutex> lock(m_mutex);
     if (m_idle.empty()) return std::make_unique<Search>(m_samples.tree());
+    for (auto& search : m_idle)
+      if (search->is_near_last(sample)) std::swap(search, m_idle.back());
     std::unique_ptr<Search> search = std::move(m_idle.back());
     m_idle.pop_back();
     return search;

@@ -74,6 +74,7 @@ public:
 
   /// The radius that was gathered, in the unit.
   float radius() const { return m_radius; }
+  float in_unit(Wide length) const { return float(length * m_per_unit); }
 
   Index sample(std::uint32_t position) const { return m_samples[position]; }
   /// Its squared distance from the place that was measured last.
@@ -90,7 +91,7 @@ public:
       extent = (std::max)(extent, Wide(half[axis]));
     }
     m_per_unit = 1 / numeric::power_of_two_above((std::min)(extent + radius, (std::numeric_limits<Wide>::max)()));
-    m_radius = float(radius * m_per_unit);
+    m_radius = in_unit(radius);
     const Wide bound = (radius * m_per_unit) * (radius * m_per_unit) * Wide(1 + 0x1p-20);
     const auto is_near = [&](const Box& other) {
       const std::array<Wide, 3> d = gap<Wide>(box, other);

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,8 @@ class Neighbor_search
   static constexpr std::size_t most_points_of_batch = std::size_t(1) << 18; // of its rows, if it is more than a leaf
 
 public:
-  explicit Neighbor_search(const Tree& tree) : m_tree(tree), m_candidates(tree), m_selection(tree) {}
+  explicit Neighbor_search(const Tree& tree) : m_tree(tree), m_candidates(tree), m_around_node(tree), m_selection(tree)
+  {}
 
   /// Appends a row for each of the samples first, ..., up to `last` or the end of the batch, which is returned: the k
   /// nearest of those that are accepted among the 8k nearest, of either side: it takes eight sheets on top of each
@@ -101,7 +103,57 @@ public:
     balls_of_seeds((std::min)(radius, largest()), accepts, rows);
   }
 
+  /// Appends the row of one sample, as of many. What is near a whole node of the tree is kept, for the next samples in
+  /// it.
+  template <class Accepts, class Rows>
+  void within_radius_of_next(Index sample, Wide radius, const Accepts& accepts, Rows& rows)
+  {
+    radius = (std::min)(radius, largest());
+    const Seed seed{m_tree.place(sample), sample, sample};
+    const Ball_of_node here{node_of(sample), radius};
+    const bool is_near_last = here.node == m_last.node;
+    const Box& box = m_tree.box(level_of_nodes(), here.node);
+    if (is_near_last && here.radius == m_last.radius && !m_kept.holds(here) && !is_wide(box, radius)) {
+      m_around_node.gather(box, radius);
+      m_kept = here;
+    }
+    m_last = here;
+    if (is_near_last && m_kept.holds(here)) {
+      append_ball(m_around_node, seed, radius, accepts, rows);
+    } else {
+      m_candidates.gather({seed.place, seed.place}, radius);
+      append_ball(m_candidates, seed, radius, accepts, rows);
+    }
+  }
+
+  /// Whether what is kept may be of use to a sample.
+  bool is_near_last(Index sample) const { return node_of(sample) == m_last.node; }
+
 private:
+  /// What is within a radius of a node of the tree.
+  struct Ball_of_node
+  {
+    std::size_t node = (std::numeric_limits<std::size_t>::max)();
+    Wide radius = 0;
+
+    /// Without much else.
+    bool holds(const Ball_of_node& other) const
+    {
+      return node == other.node && other.radius <= radius && radius <= Wide(1.5) * other.radius;
+    }
+  };
+
+  /// Whether there may be many samples near a box that are near none of its own, as where there are outliers.
+  static bool is_wide(const Box& box, Wide radius)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!(Wide(box.high[axis]) / 4 - Wide(box.low[axis]) / 4 <= radius)) return true;
+    return false;
+  }
+
+  int level_of_nodes() const { return (std::min)(m_tree.level_of_size(seeds_of_batch), m_tree.last_level()); }
+  std::size_t node_of(Index sample) const { return m_tree.node(level_of_nodes(), sample); }
+
   /// The samples from `first` on, to `last` or the end of the node that holds it.
   Index set_batch(Index first, Index last, std::size_t size)
   {
@@ -203,24 +255,29 @@ private:
     m_pending.resize(m_seeds.size());
     for (std::size_t i = 0; i < m_pending.size(); ++i) m_pending[i] = i;
     m_candidates.gather(box_of(m_pending), radius);
+    for (const Seed& seed : m_seeds) append_ball(m_candidates, seed, radius, accepts, rows);
+  }
+
+  /// \param candidates gathered at this radius or a larger one
+  template <class Accepts, class Rows>
+  void append_ball(Neighbor_candidates<Number>& candidates, const Seed& seed, Wide radius, const Accepts& accepts,
+                   Rows& rows)
+  {
     const Wide unit = 1 / numeric::power_of_two_above(radius);
-    const float squared = m_candidates.radius() * m_candidates.radius(), inside = narrowed(squared);
-    for (const Seed& seed : m_seeds) {
-      m_candidates.measure(seed.place, squared);
-      m_candidates.pick(squared, m_found);
-      m_neighbors.resize(m_found.size());
-      std::size_t count = 0;
-      const auto accepts_sample = accepts(seed.sample);
-      for (const std::uint32_t position : m_found) {
-        const Index sample = m_candidates.sample(position);
-        m_neighbors[count] = sample;
-        const bool is_within = m_candidates.squared(position) < inside ||
-                               m_selection.squared(seed.place, sample, unit) <= (radius * unit) * (radius * unit);
-        count += std::size_t(is_within && sample != seed.sample && accepts_sample(sample));
-      }
-      m_neighbors.resize(count);
-      append_row(rows, seed, m_neighbors.data(), m_neighbors.data() + m_neighbors.size());
+    const float squared = candidates.in_unit(radius) * candidates.in_unit(radius), inside = narrowed(squared);
+    candidates.measure(seed.place, squared);
+    candidates.pick(squared, m_found);
+    m_neighbors.resize(m_found.size());
+    std::size_t count = 0;
+    const auto accepts_sample = accepts(seed.sample);
+    for (const std::uint32_t position : m_found) {
+      const Index sample = candidates.sample(position);
+      m_neighbors[count] = sample;
+      const bool is_within = candidates.squared(position) < inside ||
+                             m_selection.squared(seed.place, sample, unit) <= (radius * unit) * (radius * unit);
+      count += std::size_t(is_within && sample != seed.sample && accepts_sample(sample));
     }
+    append_row(rows, seed, m_neighbors.data(), m_neighbors.data() + count);
   }
 
   template <class Rows>
@@ -272,6 +329,8 @@ private:
 
   const Tree& m_tree;
   Neighbor_candidates<Number> m_candidates;
+  Neighbor_candidates<Number> m_around_node; // of the ball that is kept
+  Ball_of_node m_kept, m_last;
   Nearest_selection<Number> m_selection;
   typename Neighbor_candidates<Number>::Positions m_found;
   std::vector<Seed> m_seeds;
