@@ -89,9 +89,9 @@ private:
     const Local_neighbors neighbors(m_cloud, near, frame, unit(ladder));
     const Balls balls(radii_of(looks, ladder), neighbors.unit());
     const Row_weights weights(m_cloud, ladder.noise, neighbors.unit());
-    auto shells = neighbors.over_surface(cut_by_heights(neighbors, weights, ladder, balls, looks));
+    const auto shells = neighbors.over_surface(cut_by_heights(neighbors, weights, ladder, balls, looks));
     Samples samples;
-    samples.places = std::move(shells.places);
+    samples.places.assign(shells.places.begin(), shells.places.end());
     samples.ends.assign(shells.ends.begin() + std::ptrdiff_t(ladder.first), shells.ends.end());
     return samples;
   }

@@ -32,12 +32,17 @@ struct Chosen_nearby
   Vector_3<double> axis{0, 0, 0}; ///< the principal direction
   double factor = 2;              ///< of risks and misfits, above which another choice is looked for
 
+  /// A second derivative may have a risk that is a multiple of its own here, if that is less than the mean of all: that
+  /// of J_xy is next to nothing where the surface is symmetric.
   bool is_as_good(const Point_scale& scale) const
   {
     if (!scale.is_chosen || !scale.has_neighbors) return false;
     const auto choices = choices_of(scale);
-    for (std::size_t t = 0; t < number_of_targets; ++t)
-      if (choices[t]->risk() > factor * risks[t] || choices[t]->misfit > factor * misfits[t]) return false;
+    const double mean = (risks[1] + risks[2] + risks[3]) / 3;
+    for (std::size_t t = 0; t < number_of_targets; ++t) {
+      const double usual = t == 0 ? risks[0] : std::max(risks[t], mean);
+      if (choices[t]->risk() > factor * usual || choices[t]->misfit > factor * misfits[t]) return false;
+    }
     return true;
   }
 };

@@ -7,30 +7,22 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_LOCAL_LADDER_H
 #define CGAL_JET_FITTING_3_SCALE_LOCAL_LADDER_H
 
-#include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/Turn.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
-#include <CGAL/Jet_fitting_3/scale/Surface_cut.h>
-#include <CGAL/Jet_fitting_3/scale/round_fit.h>
+#include <CGAL/Jet_fitting_3/scale/fits_to_positions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-using numeric::Turn;
 
 /// The fits of degrees 2, 3, 4 for one radius.
 struct Rung
@@ -52,13 +44,12 @@ struct Local_ladder
   std::vector<Rung> candidates;               ///< in balls, one a radius
   std::array<std::vector<Rung>, 2> elongated; ///< in ellipses along x and along y; or none
   std::vector<Rung> flat;                     ///< to heights in balls, from positions alone; or none
+  std::vector<Look> looks;                    ///< from positions alone
 
   const std::vector<Rung>& of_shape(Shape shape) const
   {
     return shape == Shape::ball ? candidates : shape == Shape::flat_ball ? flat : elongated[number_of_ellipse(shape)];
   }
-
-  std::vector<Look> looks; ///< from positions alone
 };
 
 /// Those that are fitted, in balls, in ellipses along x and along y. The others have no samples.
@@ -83,193 +74,6 @@ inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::siz
 inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs)
 {
   return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.noise.position);
-}
-
-/// The neighbors of a point in its frame, for fits from positions alone.
-class Local_neighbors
-{
-public:
-  /// \param unit of their coordinates
-  Local_neighbors(const Cloud& cloud, const Indices& near, const Local_frame& frame, double unit) : m_unit(unit)
-  {
-    m_places.reserve(near.size());
-    for (const std::size_t i : near) m_places.push_back((1 / unit) * frame.axes.in(cloud.points[i] - frame.origin));
-  }
-
-  double unit() const { return m_unit; }
-
-  /// The neighbors by the first neighborhood that has them; those that none has are left out.
-  struct Shells
-  {
-    std::vector<std::uint32_t> numbers;   ///< among the neighbors: the shells one after the other
-    std::vector<Vector_3<double>> places; ///< in lengths of the unit
-    std::vector<std::size_t> ends;
-  };
-
-  /// For degree 2.
-  Shells in_balls(const Balls& balls) const
-  {
-    return in_shells(balls.size(), [&](const auto& s) { return balls.first(dot(s, s)); });
-  }
-
-  /// In ellipses, of which balls have the longer axes.
-  /// \param axes from those of the frame to those that the shape has
-  Shells in_ellipses(const Balls& balls, Shape shape, const Turn& axes) const
-  {
-    return in_shells(balls.size(), [&](const auto& s) {
-      const auto u = axes.cosine * s.x + axes.sine * s.y, v = axes.cosine * s.y - axes.sine * s.x;
-      return balls.first(squared_radius(shape, dot(s, s), u, v));
-    });
-  }
-
-  /// For degrees 3 and 4.
-  Shells over_surface(const Surface_cut& cut) const
-  {
-    return in_shells(cut.size(), [&](const auto& s) { return cut.first(s); });
-  }
-
-private:
-  // By the number of the first of so many neighborhoods that has one, as a function.
-  template <class First>
-  Shells in_shells(std::size_t count, const First& first) const
-  {
-    std::vector<std::uint32_t> shell(m_places.size());
-    const auto find = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
-      const auto numbers = first(side_by_side);
-      for (std::size_t k = begin; k < end; ++k) shell[k] = std::uint32_t(numbers[int(k - begin)]);
-    };
-    numeric::for_samples_side_by_side(m_places.data(), m_places.size(), find);
-    std::vector<std::size_t> begins(count + 2, 0);
-    for (const std::uint32_t j : shell) ++begins[j + 1];
-    for (std::size_t j = 1; j < begins.size(); ++j) begins[j] += begins[j - 1];
-    Shells shells;
-    shells.ends.assign(begins.begin() + 1, begins.end() - 1);
-    shells.places.resize(shells.ends.back());
-    shells.numbers.resize(shells.ends.back());
-    for (std::size_t k = 0; k < shell.size(); ++k) {
-      if (shell[k] == count) continue;
-      const std::size_t place = begins[shell[k]]++;
-      shells.places[place] = m_places[k];
-      shells.numbers[place] = std::uint32_t(k);
-    }
-    return shells;
-  }
-
-  double m_unit;
-  std::vector<Vector_3<double>> m_places;
-};
-
-/// Of each neighborhood.
-template <std::size_t degree>
-std::vector<Round_sums> sums_of_shells(const Local_neighbors::Shells& shells)
-{
-  std::vector<Round_sums> result(shells.ends.size());
-  for (std::size_t j = 0, begin = 0; j < result.size(); begin = shells.ends[j++]) {
-    if (j > 0) result[j] = result[j - 1];
-    result[j].add<degree>(shells.places.data() + begin, shells.ends[j] - begin);
-  }
-  return result;
-}
-
-/// By surfaces of degree 2 to heights, that are found.
-inline Surface_cut cut_by_heights(const Local_neighbors& neighbors, const Row_weights& weights, const Ladder& ladder,
-                                  const Balls& balls, std::vector<Look> looks)
-{
-  std::vector<Second_order> low;
-  for (const Round_sums& of_ball : sums_of_shells<2>(neighbors.in_balls(balls)))
-    low.push_back(Round_fit(of_ball, weights.height, 2).flat(2, balls.unit()));
-  find_surfaces(looks, low, ladder);
-  return Surface_cut(balls, looks, low, ladder);
-}
-
-/// The fits of a radius, and their numbers of neighbors.
-struct Fits_of_radius
-{
-  std::array<double, 3> sizes{};
-  std::array<Second_order, 3> fits;
-};
-
-/// To round heights, and to heights.
-struct Fits_to_positions
-{
-  std::vector<Fits_of_radius> round, flat;
-};
-
-/// A fit to some of the neighbors in a shell.
-struct Cut_fit
-{
-  std::vector<char> stays; ///< one a neighbor
-  double size;             ///< how many stay
-  Round_fit fit;
-};
-
-/// To those of ball j that are on both sides of a fit; and once more, for the first fit has the bias of those on one
-/// side. Where that leaves out many, noise hides where the surface is, and all stay.
-inline Cut_fit fit_on_both_sides(const Local_neighbors::Shells& shells, const Surface_cut& cut, std::size_t j,
-                                 const Round_sums& of_all, double weight)
-{
-  constexpr double most = 0.25; // part of the neighbors
-  const std::size_t count = shells.ends[j];
-  const Cut_fit all{std::vector<char>(count, 1), of_all.size(), Round_fit(of_all, weight, highest_nested_degree)};
-  Cut_fit result = all;
-  for (int time = 0; time < 2; ++time) {
-    const std::optional surface = result.fit.surface<numeric::Side_by_side>();
-    if (!surface) return result;
-    std::vector<char> stays(count);
-    const auto are_on_both_sides = cut.on_both_sides(j, *surface);
-    const auto select = [&](const auto& side_by_side, std::size_t begin, std::size_t end) {
-      const auto stay = are_on_both_sides(side_by_side);
-      for (std::size_t k = begin; k < end; ++k) stays[k] = stay[int(k - begin)];
-    };
-    numeric::for_samples_side_by_side(shells.places.data(), count, select);
-    if (stays == result.stays) return result;
-    std::vector<Vector_3<double>> left_out;
-    left_out.reserve(std::size_t(std::count(stays.begin(), stays.end(), 0)));
-    for (std::size_t k = 0; k < count; ++k)
-      if (!stays[k]) left_out.push_back(shells.places[k]);
-    if (double(left_out.size()) > most * double(count)) return all;
-    Round_sums of_left_out, sums = of_all;
-    of_left_out.add<highest_nested_degree>(left_out.data(), left_out.size());
-    sums -= of_left_out;
-    result = {std::move(stays), sums.size(), Round_fit(sums, weight, highest_nested_degree)};
-  }
-  return result;
-}
-
-/// From positions alone.
-/// \param looks surfaces that are to be found are found
-inline Fits_to_positions fits_to_positions(const Local_neighbors& neighbors, const Row_weights& weights,
-                                           const Ladder& ladder, std::vector<Look>& looks)
-{
-  const Balls balls(radii_of(looks, ladder), neighbors.unit());
-  const std::vector<Round_sums> of_balls = sums_of_shells<2>(neighbors.in_balls(balls));
-  std::vector<Flat_and_round> of_degree_2;
-  std::vector<Second_order> low;
-  of_degree_2.reserve(looks.size());
-  low.reserve(looks.size());
-  for (const Round_sums& of_ball : of_balls) {
-    of_degree_2.push_back(Round_fit(of_ball, weights.height, 2).of_degree(2, balls.unit()));
-    low.push_back(of_degree_2.back().flat);
-  }
-  find_surfaces(looks, low, ladder);
-  const Surface_cut cut(balls, looks, low, ladder);
-  const auto shells = neighbors.over_surface(cut);
-  const std::vector<Round_sums> sums = sums_of_shells<highest_nested_degree>(shells);
-  Fits_to_positions result{std::vector<Fits_of_radius>(looks.size()), std::vector<Fits_of_radius>(looks.size())};
-  for (std::size_t j = 0; j < looks.size(); ++j) {
-    Fits_of_radius &flat = result.flat[j], &round = result.round[j];
-    const auto set = [&](const Flat_and_round& found, std::size_t d, double size) {
-      flat.sizes[d - 2] = round.sizes[d - 2] = size;
-      flat.fits[d - 2] = with_misfit_as_noise(found.flat);
-      round.fits[d - 2] = with_misfit_as_noise(found.round);
-    };
-    set(of_degree_2[j], 2, of_balls[j].size());
-    if (!looks[j].is_cut) continue;
-    Cut_fit cut_fit = fit_on_both_sides(shells, cut, j, sums[j], weights.height);
-    for (std::size_t d = 3; d <= highest_nested_degree; ++d)
-      set(cut_fit.fit.of_degree(d, balls.unit()), d, cut_fit.size);
-  }
-  return result;
 }
 
 /// The neighbors of a point, for fits with normals, which tell other sheets, and whose noise is not cut off.
@@ -337,6 +141,15 @@ inline Turn turn_to_principal_direction(const Second_order& pilot)
   return numeric::turn_to_principal_direction({pilot.value[2], pilot.value[3], pilot.value[4]});
 }
 
+/// To the one of the two principal directions that is nearer to another direction.
+inline Turn turn_to_nearer_principal_direction(const Second_order& pilot, const Turn& direction)
+{
+  const Turn turn = turn_to_principal_direction(pilot);
+  const double along = turn.cosine * direction.cosine + turn.sine * direction.sine,
+               across = turn.cosine * direction.sine - turn.sine * direction.cosine;
+  return std::abs(along) < std::abs(across) ? Turn{-turn.sine, turn.cosine} : turn;
+}
+
 /// To what is seen of a direction in the tangent plane.
 inline Turn turn_towards(const Vector_3<double>& direction, const Local_frame& frame)
 {
@@ -350,26 +163,6 @@ inline Local_frame turned(const Local_frame& frame, const Turn& turn)
   return {frame.origin, turned_axes(frame.axes, turn.cosine, turn.sine)};
 }
 
-/// To round heights in an ellipse, from positions alone.
-/// \param rungs those from the first to the end
-/// \param axes from those of the frame to those that the shape has
-inline std::vector<Fits_of_radius> fits_in_ellipses(const Local_neighbors& neighbors, const Row_weights& weights,
-                                                    const Ladder& ladder, Shape shape, const Rung_range& rungs,
-                                                    const Turn& axes)
-{
-  const Balls balls(radii_of(rungs, ladder), neighbors.unit());
-  std::vector<Fits_of_radius> result(rungs.end);
-  const std::vector<Round_sums> sums = sums_of_shells<highest_nested_degree>(neighbors.in_ellipses(balls, shape, axes));
-  for (std::size_t j = 0; j < sums.size(); ++j) {
-    Fits_of_radius& of_radius = result[rungs.first + j];
-    Round_fit fit(sums[j], weights.height, highest_nested_degree);
-    of_radius.sizes.fill(sums[j].size());
-    for (std::size_t d = 2; d <= highest_nested_degree; ++d)
-      of_radius.fits[d - 2] = with_misfit_as_noise(fit.of_degree(d, balls.unit()).round);
-  }
-  return result;
-}
-
 /// Calls set(the ellipse's number, shape, rungs) for each shape of ellipses that is wanted.
 template <class Set>
 void for_ellipses(const Wanted_rungs& wanted, const Set& set)
@@ -381,7 +174,8 @@ void for_ellipses(const Wanted_rungs& wanted, const Set& set)
 }
 
 /// Fits around a point from positions alone.
-/// \param axis the principal direction, about; if null it is that of degree 2 at ladder.axes
+/// \param axis near which one of the principal directions of degree 2 at ladder.axes is the x axis; if null the one of
+///        the larger curvature is
 inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near, const Local_frame& frame,
                                         const Ladder& ladder, const Wanted_rungs& wanted, const Vector_3<double>* axis)
 {
@@ -390,9 +184,11 @@ inline Local_ladder ladder_of_positions(const Cloud& cloud, const Indices& near,
   const Local_neighbors neighbors(cloud, near, frame, ladder.radii[wanted.end() - 1]);
   const Row_weights weights(cloud, ladder.noise, neighbors.unit());
   const Fits_to_positions fits = fits_to_positions(neighbors, weights, ladder, result.looks);
-  const Turn turn = axis
-                        ? turn_towards(*axis, frame)
-                        : turn_to_principal_direction(fits.round[std::min(ladder.axes, fits.round.size() - 1)].fits[0]);
+  std::size_t at_axes = 0;
+  while (at_axes + 1 < result.looks.size() && result.looks[at_axes].rung < ladder.axes) ++at_axes;
+  const Second_order& pilot = fits.round[at_axes].fits[0];
+  const Turn turn =
+      axis ? turn_to_nearer_principal_direction(pilot, turn_towards(*axis, frame)) : turn_to_principal_direction(pilot);
   result.frame = turned(frame, turn);
   const auto put = [&](const std::vector<Fits_of_radius>& of_looks, std::vector<Rung>& to) {
     to.resize(result.looks.back().rung + 1);
@@ -420,25 +216,6 @@ inline Local_ladder ladder_with_normals(const Cloud& cloud, const Indices& near,
   for_ellipses(wanted, [&](std::size_t k, Shape shape, const Rung_range& rungs) {
     result.elongated[k] = turned(neighbors.fits(shape, rungs, turn), turn);
   });
-  return result;
-}
-
-/// Which neighbors degree 3 or 4 would have at a rung, from positions alone.
-inline Indices neighbors_over_surface(const Cloud& cloud, const Indices& near, const Local_frame& frame,
-                                      const Ladder& ladder, std::size_t rung)
-{
-  const Local_neighbors neighbors(cloud, near, frame, ladder.radii[rung]);
-  const Row_weights weights(cloud, ladder.noise, neighbors.unit());
-  std::vector<Look> looks = look_at_all(rung + 1);
-  for (std::size_t j = 0; j < rung; ++j) looks[j].is_cut = false;
-  const Balls balls(radii_of(looks, ladder), neighbors.unit());
-  const Surface_cut cut = cut_by_heights(neighbors, weights, ladder, balls, looks);
-  const auto shells = neighbors.over_surface(cut);
-  const Round_sums sums = sums_of_shells<highest_nested_degree>(shells).back();
-  const Cut_fit fitted = fit_on_both_sides(shells, cut, rung, sums, weights.height);
-  Indices result;
-  for (std::size_t k = 0; k < fitted.stays.size(); ++k)
-    if (fitted.stays[k]) result.push_back(near[shells.numbers[k]]);
   return result;
 }
 

@@ -67,6 +67,13 @@ struct Second_order
   Covariance covariance{};
 };
 
+/// The fits of a radius, and their numbers of neighbors.
+struct Fits_of_radius
+{
+  std::array<double, 3> sizes{};
+  std::array<Second_order, 3> fits;
+};
+
 /// Values times factors, and the lengths of a fit in a unit.
 inline Second_order scaled(Second_order s, const std::array<double, 5>& factors, double unit)
 {
