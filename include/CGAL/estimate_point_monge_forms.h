@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Point_estimation.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/numbers_of_points.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/automatic.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/nearest.h>
@@ -26,6 +27,7 @@
 #include <boost/range/irange.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -120,9 +122,11 @@ estimate_point_monge_forms(const PointRange& points, const NumberRange& which, c
                            OutputIterator output, const NamedParameters& np = parameters::default_values(),
                            const Jet_fitting::Options& options = {})
 {
+  const auto size = std::size_t(std::distance(std::begin(points), std::end(points)));
+  const auto numbers = Jet_fitting::internal::numbers_of_points(which, size); // an error comes before learning
   const Jet_fitting::Point_estimator<PointRange, Neighborhood, NamedParameters> estimator(points, neighborhood, np,
                                                                                           options, ConcurrencyTag());
-  return estimator.template estimate<ConcurrencyTag>(which, output);
+  return estimator.template estimate<ConcurrencyTag>(numbers, output);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

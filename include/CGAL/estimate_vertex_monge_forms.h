@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Map_output.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/estimate_vertices.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/some_vertices.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/automatic.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/enough_rings.h>
 #include <CGAL/Jet_fitting_3/neighborhoods/k_rings.h>
@@ -127,9 +128,12 @@ estimate_vertex_monge_forms(const VertexRange& vertices, const FaceGraph& mesh, 
                             VertexFormMap vertex_form_map, const NamedParameters& np = parameters::default_values(),
                             const Jet_fitting::Options& options = {})
 {
-  const Jet_fitting::Vertex_estimator<FaceGraph, Neighborhood, NamedParameters> estimator(mesh, neighborhood, np,
-                                                                                          options, ConcurrencyTag());
-  return estimator.template estimate<ConcurrencyTag>(vertices, vertex_form_map);
+  using namespace Jet_fitting::internal;
+  using Estimation = Mesh_estimation<FaceGraph, Neighborhood, NamedParameters>;
+  Some_vertices<typename boost::graph_traits<FaceGraph>::vertex_descriptor> some;
+  const auto find = [&](const typename Estimation::Tables& tables) { some = some_vertices(tables, vertices); };
+  const Estimation estimation(ConcurrencyTag(), mesh, neighborhood, np, options, false, find);
+  return estimate_some_vertices<ConcurrencyTag>(estimation, some, vertex_form_map);
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

@@ -123,6 +123,12 @@ void numbers_that_are_none()
   };
   check_throws<Invalid_input>([&] { run({3, 500}); }, {"number 500", "position 1", "500 points"}, "beyond the end");
   check_throws<Invalid_input>([&] { run({-1}); }, {"number -1"}, "a negative number");
+  // before automatic() learns anything: there are too few points for it
+  const Point_set few = points_of_ellipsoid(20);
+  const auto learn = [&] {
+    CGAL::estimate_point_monge_forms(few, std::vector<int>{3, 20}, automatic(), std::back_inserter(forms), maps);
+  };
+  check_throws<Invalid_input>(learn, {"number 20", "20 points"}, "beyond the end, before learning");
   const Summary none = run({});
   check_true(forms.empty() && none.estimated == 0 && none.skipped == 0 && !none.cancelled, "an empty range");
   Point_estimator estimate(points, nearest(15), maps);

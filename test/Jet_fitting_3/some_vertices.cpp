@@ -147,6 +147,15 @@ void what_is_no_vertex()
         [&] { CGAL::estimate_vertex_monge_forms(some, mesh, k_rings(2), CGAL::make_property_map(forms)); },
         {"number 1", "does not belong to the mesh"}, "among others, vertex " + text(v.idx()));
   }
+  // before automatic() begins to learn, which would find that it has no use for an option
+  Options options;
+  options.standard_errors = true;
+  const auto learn = [&] {
+    Forms of_all(mesh.number_of_vertices() + 2);
+    CGAL::estimate_vertex_monge_forms(std::vector<Vertex>{last}, mesh, automatic(), CGAL::make_property_map(of_all),
+                                      CGAL::parameters::default_values(), options);
+  };
+  check_throws<Invalid_input>(learn, {"number 0", "does not belong to the mesh"}, "before learning");
   Forms forms;
   const Summary none =
       CGAL::estimate_vertex_monge_forms(std::vector<Vertex>(), mesh, k_rings(2), CGAL::make_property_map(forms));

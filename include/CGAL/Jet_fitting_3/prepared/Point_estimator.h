@@ -10,10 +10,10 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
-#include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Ordered_output.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Point_estimation.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/numbers_of_points.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Place_gatherer.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
@@ -29,7 +29,6 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -74,7 +73,7 @@ public:
   /// \throw Invalid_input if there are no more than i points
   Result operator()(std::size_t i)
   {
-    check_number(i, 0);
+    internal::check_number_of_point(i, 0, estimation().number_of_points());
     if constexpr (Estimation::is_users)
       return m_one_row(estimation().tables(), internal::Some_rows({internal::Index(i)}));
     else return at_sample(static_cast<internal::Index>(i));
@@ -106,11 +105,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class NumberRange, class OutputIterator>
   Estimation_summary<std::size_t> estimate(const NumberRange& which, OutputIterator output) const
   {
-    std::vector<internal::Index> numbers;
-    for (const auto number : which) {
-      check_number(number, numbers.size());
-      numbers.push_back(static_cast<internal::Index>(number));
-    }
+    const std::vector<internal::Index> numbers = internal::numbers_of_points(which, estimation().number_of_points());
     const internal::Some_rows wanted(numbers);
     internal::Estimation_reports reports =
         estimation().template estimate_points<ConcurrencyTag>(wanted, m_prepared->sample_of, output,
@@ -167,15 +162,6 @@ private:
   };
 
   const Estimation& estimation() const { return m_prepared->estimation; }
-
-  template <class Number>
-  void check_number(const Number& number, std::size_t position) const
-  {
-    if (static_cast<std::size_t>(number) >= estimation().number_of_points())
-      throw Invalid_input("point number " + std::to_string(number) + ", at position " + std::to_string(position) +
-                          " of those to be estimated, is none of the " +
-                          std::to_string(estimation().number_of_points()) + " points");
-  }
 
   Result at_sample(internal::Index i)
   {

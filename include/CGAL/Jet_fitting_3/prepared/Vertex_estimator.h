@@ -12,9 +12,9 @@
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/Options.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/Map_output.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Mesh_estimation.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/Ordered_output.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/some_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Rows.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/prepared/Form_and_status.h>
@@ -32,7 +32,6 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -91,7 +90,7 @@ public:
   /// \throw Invalid_input if v is not a vertex of the mesh
   Result operator()(vertex_descriptor v)
   {
-    const internal::Index i = number(v);
+    const internal::Index i = tables().index_of_any(v);
     if (i == internal::no_index) throw Invalid_input("the vertex does not belong to the mesh, or no longer");
     return m_one_row(tables(), internal::Some_rows({i}));
   }
@@ -115,17 +114,9 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class VertexRange, class VertexFormMap>
   Estimation_summary<vertex_descriptor> estimate(const VertexRange& vertices, VertexFormMap vertex_form_map) const
   {
-    const auto [seeds, items] = distinct_vertices(vertices);
-    const internal::Some_rows rows(seeds);
-    internal::Estimation_reports reports =
-        m_prepared->estimation.template estimate<ConcurrencyTag>(rows,
-                                                                 internal::Map_output(tables(), vertex_form_map, rows),
-                                                                 m_prepared->estimation.progress());
-    return internal::summary_of<vertex_descriptor>(std::move(reports), items,
-                                                   [rows, number = tables().numbering](vertex_descriptor v) {
-                                                     const internal::Index i = (*number)(v);
-                                                     return i == internal::no_index ? rows.size() : rows.row_of(i);
-                                                   });
+    return internal::estimate_some_vertices<ConcurrencyTag>(m_prepared->estimation,
+                                                            internal::some_vertices(tables(), vertices),
+                                                            vertex_form_map);
   }
 
   /// At a range of Face_location: a form for each goes to `output`, in order.
@@ -158,36 +149,6 @@ private:
 
   const typename Estimation::Tables& tables() const { return m_prepared->estimation.tables(); }
 
-  /// no_index if v is no vertex of the mesh.
-  internal::Index number(vertex_descriptor v) const
-  {
-    const internal::Index i = v == Graph::null_vertex() ? internal::no_index : tables().index(v);
-    return i == internal::no_index || tables().item(i) == v ? i : internal::no_index;
-  }
-
-  /// Numbers in ascending order, and the vertices in the order of the range, each once.
-  template <class VertexRange>
-  std::pair<std::vector<internal::Index>, std::vector<vertex_descriptor>>
-  distinct_vertices(const VertexRange& vertices) const
-  {
-    std::vector<internal::Index> numbers;
-    for (const vertex_descriptor v : vertices) {
-      numbers.push_back(number(v));
-      if (numbers.back() == internal::no_index)
-        throw Invalid_input("vertex number " + std::to_string(numbers.size() - 1) +
-                            " of those to be estimated does not belong to the mesh, or no longer");
-    }
-    const internal::Some_rows rows(internal::distinct(numbers));
-    std::vector<vertex_descriptor> items;
-    std::vector<bool> is_known(rows.size(), false);
-    for (const internal::Index i : numbers) {
-      const std::size_t row = rows.row_of(i);
-      if (!is_known[row]) items.push_back(tables().item(i));
-      is_known[row] = true;
-    }
-    return {internal::distinct(std::move(numbers)), std::move(items)};
-  }
-
   template <class Iterator>
   Rows_at_places rows_at(Iterator begin, Iterator end) const
   {
@@ -197,7 +158,8 @@ private:
     for (; begin != end; ++begin) {
       const Face_location& location = *begin;
       const auto corners = internal::corners_of_triangle(location.first, m_prepared->mesh);
-      const std::array<internal::Index, 3> numbers{number(corners[0]), number(corners[1]), number(corners[2])};
+      const std::array<internal::Index, 3> numbers{tables().index_of_any(corners[0]), tables().index_of_any(corners[1]),
+                                                   tables().index_of_any(corners[2])};
       if (std::count(numbers.begin(), numbers.end(), internal::no_index) > 0)
         throw Invalid_input("the face does not belong to the mesh, or no longer");
       const auto& points = tables().points;

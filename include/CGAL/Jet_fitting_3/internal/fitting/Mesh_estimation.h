@@ -46,15 +46,22 @@ public:
   using Estimator = std::conditional_t<is_automatic, std::variant<Automatic_mesh_estimator<Kernel>>,
                                        Row_estimators<Kernel, Parameters, has_normals>>;
 
+  /// Looks at nothing.
+  struct No_check
+  {
+    void operator()(const Tables&) const {}
+  };
+
   /// \param for_places whether forms may be asked for at places that are no vertices, too
-  template <class ConcurrencyTag>
+  /// \param check check(tables) may throw, before anything else that takes time
+  template <class ConcurrencyTag, class Check = No_check>
   Mesh_estimation(ConcurrencyTag, const Mesh& mesh, const Neighborhood& neighborhood, const NamedParameters& np,
-                  const Options& options, bool for_places = false)
+                  const Options& options, bool for_places = false, const Check& check = {})
     : m_neighborhood(neighborhood), m_given(np, is_automatic),
       m_tables(mesh_tables<ConcurrencyTag>(mesh, np, {!is_users, !is_users})),
       m_options(options_by_number(mesh, np, options)),
       m_normals(options.use_normals ? read_unit_normals(np, *m_tables.numbering) : Unit_normals()),
-      m_estimator(make_estimator(ConcurrencyTag(), mesh, for_places))
+      m_estimator(make_estimator(ConcurrencyTag(), mesh, for_places, check))
   {
     if constexpr (is_automatic && !has_normals) m_tables.normals = std::get<0>(m_estimator).sides();
   }
@@ -96,9 +103,10 @@ private:
     return result;
   }
 
-  template <class ConcurrencyTag>
-  Estimator make_estimator(ConcurrencyTag tag, const Mesh& mesh, bool for_places) const
+  template <class ConcurrencyTag, class Check>
+  Estimator make_estimator(ConcurrencyTag tag, const Mesh& mesh, bool for_places, const Check& check) const
   {
+    check(m_tables);
     if constexpr (is_automatic) {
       const Automatic_degrees degrees{m_given.dprime, m_given.highest_degree(averaging::highest_degree)};
       const Normal_table of_mesh = normals_of_mesh<ConcurrencyTag>(mesh, m_tables);

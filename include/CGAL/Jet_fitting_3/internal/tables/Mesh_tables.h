@@ -60,6 +60,12 @@ struct Mesh_tables
   std::size_t size() const { return points.size(); }
   Item item(Index i) const { return (*numbering)[i]; }
   Index index(Item v) const { return (*numbering)(v); }
+  /// no_index if v is null, or no vertex of the mesh.
+  Index index_of_any(Item v) const
+  {
+    const Index i = v == boost::graph_traits<Mesh>::null_vertex() ? no_index : index(v);
+    return i == no_index || item(i) == v ? i : no_index;
+  }
 };
 
 template <class NamedParameters, class Tag>
