@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/numeric/moment_sums.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
+#include <CGAL/Jet_fitting_3/values/product_of_gradients.h>
 
 #include <algorithm>
 #include <array>
@@ -87,11 +88,7 @@ struct Moments
   /// The weighted sum of the products of the gradients of x^(k - j) y^j and x^(l - i) y^i.
   double product_of_gradients(std::size_t k, std::size_t j, std::size_t l, std::size_t i) const
   {
-    double sum = 0;
-    const Terms& t = terms_of_slopes();
-    if (k > j && l > i) sum += double((k - j) * (l - i)) * t[term_index(k + l - 2, j + i)];
-    if (j > 0 && i > 0) sum += double(j * i) * t[term_index(k + l - 2, j + i - 2)];
-    return slope_weight * sum;
+    return slope_weight * Jet_fitting::product_of_gradients(terms_of_slopes(), k, j, l, i);
   }
 
   /// More samples.

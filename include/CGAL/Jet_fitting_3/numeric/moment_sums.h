@@ -20,13 +20,10 @@ namespace Jet_fitting {
 namespace numeric {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// As many numbers as a register holds.
-using Side_by_side = Pack<double, (std::max)(2, native_lanes<double>())>;
-
 namespace moment_sums {
 
-using Lanes = Side_by_side;
-constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
+constexpr std::size_t lanes = (std::max)(2, native_lanes<double>());
+using Lanes = Pack<double, int(lanes)>;
 
 // The first so many numbers of a function of 0, 1, ...; zeros where there are no more.
 template <class Number>

@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/steps/gauss_map_fitting.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
+#include <CGAL/Jet_fitting_3/values/product_of_gradients.h>
 
 #include <algorithm>
 #include <array>
@@ -94,15 +95,6 @@ private:
     return sum;
   }
 
-  // Of the gradients of x^(k - j) y^j and of x^(l - i) y^i.
-  double product_of_gradients(std::size_t k, std::size_t j, std::size_t l, std::size_t i) const
-  {
-    double sum = 0;
-    if (k > j && l > i) sum += double((k - j) * (l - i)) * m_terms[term_index(k + l - 2, j + i)];
-    if (j > 0 && i > 0) sum += double(j * i) * m_terms[term_index(k + l - 2, j + i - 2)];
-    return sum;
-  }
-
   // Of x^(k - j) y^j times what J(0) has for a factor.
   double of_foot(double foot_nz, std::size_t k, std::size_t j) const
   {
@@ -144,7 +136,8 @@ private:
         if (defect) y[0] -= defect->heights.order(k)[j] * matrix.row(a)[0];
         for (std::size_t l = 1, b = 1; b <= a; ++l)
           for (std::size_t i = 0; i <= l && b <= a; ++i, ++b)
-            matrix.row(a)[b] = m_terms[term_index(k + l, j + i)] + slope_weight * product_of_gradients(k, j, l, i);
+            matrix.row(a)[b] =
+                m_terms[term_index(k + l, j + i)] + slope_weight * product_of_gradients(m_terms, k, j, l, i);
         y[a] = right_side(slope_weight, foot_nz, defect, k, j);
       }
     for (std::size_t a = 0; a < n; ++a) diagonal[a] = matrix.row(a)[a];

@@ -20,7 +20,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// The surface whose round heights are a polynomial of degree 4.
 /// \tparam FT of the coefficients and of places: a number, or a pack with all lanes alike
-template <class FT = double>
+template <class FT>
 struct Round_surface
 {
   static_assert(highest_nested_degree == 4, "the polynomial is written out");

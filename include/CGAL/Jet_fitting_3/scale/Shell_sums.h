@@ -95,15 +95,14 @@ struct Round_sums : Shell_sums
   {
     numeric::add_moments<2 * degree, degree, 3>(neighbors, count, moments.data(),
                                                 {heights.data(), of_squares.data(), of_cubes.data()});
-    using numeric::Side_by_side;
-    std::array<std::array<Side_by_side, 3>, 3> sums;
+    using namespace numeric::moment_sums;
+    std::array<std::array<Lanes, 3>, 3> sums;
     for (auto& row : sums) row.fill(0);
-    const auto add_products = [&sums](const Vector_3<Side_by_side>& p, std::size_t, std::size_t) {
-      const Side_by_side values[] = {p.z, p.z * p.z, p.z * dot(p, p)};
+    for (std::size_t k = 0; k < count; k += lanes) {
+      const Packed_samples<3> s = with_heights<3>(neighbors + k, count - k);
       for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = a; b < 3; ++b) sums[a][b] = sums[a][b] + values[a] * values[b];
-    };
-    numeric::for_samples_side_by_side(neighbors, count, add_products);
+        for (std::size_t b = a; b < 3; ++b) sums[a][b] = sums[a][b] + s.of[a] * s.of[b];
+    }
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = a; b < 3; ++b) products[a][b] += numeric::sum_of_lanes(sums[a][b]);
   }

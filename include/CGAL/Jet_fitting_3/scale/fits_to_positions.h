@@ -59,7 +59,7 @@ inline Cut_fit fit_on_both_sides(const Local_neighbors::Shells& shells, const Su
   const Cut_fit all{std::vector<char>(count, 1), of_all.size(), Round_fit(of_all, weight, highest_nested_degree)};
   Cut_fit result = all;
   for (int time = 0; time < 2; ++time) {
-    const std::optional surface = result.fit.surface<numeric::Side_by_side>();
+    const std::optional surface = result.fit.surface<numeric::moment_sums::Lanes>();
     if (!surface) return result;
     std::vector<char> stays(count);
     std::size_t number_left_out = 0;
@@ -73,11 +73,11 @@ inline Cut_fit fit_on_both_sides(const Local_neighbors::Shells& shells, const Su
     };
     numeric::for_samples_side_by_side(shells.places.data(), count, select);
     if (stays == result.stays) return result;
+    if (double(number_left_out) > most * double(count)) return all;
     std::vector<Vector_3<double>> left_out;
     left_out.reserve(number_left_out);
     for (std::size_t k = 0; k < count; ++k)
       if (!stays[k]) left_out.push_back(shells.places[k]);
-    if (double(left_out.size()) > most * double(count)) return all;
     Round_sums of_left_out, sums = of_all;
     of_left_out.add<highest_nested_degree>(left_out.data(), left_out.size());
     sums -= of_left_out;
