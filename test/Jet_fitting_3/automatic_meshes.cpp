@@ -234,6 +234,49 @@ void isosurfaces()
   check_le(std::cbrt(product), 0.8, "isosurfaces, beside the best fixed choice");
 }
 
+// What is inside a surface at the points of a grid, smoothed by a Gaussian of so many cells: about 1/2 inside, -1/2
+// outside, and 0 at the surface.
+std::function<double(const Point&)> smoothed_mask(const std::function<double(const Point&)>& value, double cell,
+                                                  double cells)
+{
+  const int reach = int(std::ceil(3 * cells));
+  std::vector<double> weights;
+  double sum = 0;
+  for (int i = -reach; i <= reach; ++i) {
+    weights.push_back(std::exp(-i * i / (2 * cells * cells)));
+    sum += weights.back();
+  }
+  for (double& w : weights) w /= sum;
+  return [=](const Point& p) {
+    double outside = 0;
+    for (int i = -reach; i <= reach; ++i)
+      for (int j = -reach; j <= reach; ++j)
+        for (int k = -reach; k <= reach; ++k)
+          if (!(value(p + Point(i * cell, j * cell, k * cell)) < 0))
+            outside +=
+                weights[std::size_t(i + reach)] * weights[std::size_t(j + reach)] * weights[std::size_t(k + reach)];
+    return outside - 0.5;
+  };
+}
+
+// As segmentations of images have them. Their terraces are alike over many edges, and are no shape.
+void smoothed_masks()
+{
+  constexpr double half = 3.3;
+  constexpr int n = 30;
+  const auto torus_value = [](const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; };
+  const auto ellipsoid_value = [](const Point& p) { return p.x * p.x / 9 + p.y * p.y / 4 + p.z * p.z / 4 - 1; };
+  const auto torus_truth = torus(2, 1, 3, 3).truth, ellipsoid_truth = ellipsoid(3, 2, 2, 1).truth;
+  const auto beside_fixed = [&](const auto& value, const auto& truth, double cells, const std::string& name) {
+    const Analytic_mesh mesh = isosurface(smoothed_mask(value, 2 * half / n, cells), truth, half, n, 0);
+    const double ratio = beside_fixed_choices(mesh, 0, name);
+    std::cout << name << ": " << mesh.points.size() << " vertices, " << ratio << '\n';
+  };
+  beside_fixed(torus_value, torus_truth, 0.7, "mask of a torus, smoothed by .7 cells");
+  beside_fixed(ellipsoid_value, ellipsoid_truth, 0.7, "mask of an ellipsoid, smoothed by .7 cells");
+  beside_fixed(ellipsoid_value, ellipsoid_truth, 1, "mask of an ellipsoid, smoothed by one cell");
+}
+
 // Waves of few edges are a surface, and no noise that is alike at neighbors.
 void short_waves()
 {
@@ -799,6 +842,7 @@ int main()
   noise_of_an_edge();
   noise_alike_at_neighbors();
   isosurfaces();
+  smoothed_masks();
   short_waves();
   noise_of_one_half();
   errors_of_normals();

@@ -9,6 +9,7 @@
 
 #include <CGAL/Jet_fitting_3/averaging/Height.h>
 #include <CGAL/Jet_fitting_3/averaging/nearest_places.h>
+#include <CGAL/Jet_fitting_3/averaging/noise_alike.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
@@ -132,25 +133,6 @@ void visit_places(const Surface_points<Neighbors>& surface, std::size_t rings, c
   }
 }
 
-/// Variances of what fits of two degrees leave at a place, by degree and ring; of the lower degree for the first
-/// least_rings only. Infinite where they are not known.
-struct Residuals_at_place
-{
-  static constexpr std::size_t rings = 6, least_rings = 3;
-  Whereabouts where;
-  std::array<std::array<double, rings>, 2> variances;
-  std::array<std::size_t, rings> counts;
-  Height height = Height::z; ///< that is fitted, by the fewest rings
-};
-
-/// A standard deviation, and its standard error.
-struct Size_of_noise
-{
-  double value = std::numeric_limits<double>::infinity(), error = 0;
-
-  bool is_told_from_shape() const { return Jet_fitting::is_told_from_shape(value, error); }
-};
-
 /// That at some places, of so many points, infinite where they are too few: the least of the medians for fits of
 /// both degrees to the first two numbers of rings: more rings or lower degrees take the surface for noise, as the
 /// next ring tells.
@@ -171,82 +153,6 @@ inline Size_of_noise noise_at_places(const std::vector<Residuals_at_place>& plac
     }
   }
   return noise;
-}
-
-/// Medians over places of several numbers. None where more than half of the places do not have them.
-/// \tparam count of numbers
-/// \param numbers numbers(k) of place k, an array of them; if the last is finite, so are the others
-template <std::size_t count, class Numbers>
-std::optional<std::array<double, count>> medians_over_places(std::size_t places, const Numbers& numbers)
-{
-  std::array<std::vector<double>, count> all;
-  for (std::size_t k = 0; k < places; ++k) {
-    const std::array<double, count> own = numbers(k);
-    if (!std::isfinite(own.back())) continue;
-    for (std::size_t j = 0; j < count; ++j) all[j].push_back(own[j]);
-  }
-  if (all[0].empty() || 2 * all[0].size() < places) return std::nullopt;
-  std::array<double, count> result;
-  std::transform(all.begin(), all.end(), result.begin(), [](auto& values) { return scale::median(std::move(values)); });
-  return result;
-}
-
-/// Noise that is alike at neighbors, as meshes from grids and smoothed ones have it: fits to few rings follow it. What
-/// fits of the higher degree leave grows with the rings, at first, and then hardly: by less than the square of their
-/// number, by which it grows where edges of the surface are within reach; on smooth surfaces by about the eleventh
-/// power. The largest such; 0 if there is none. None, too, if it still grows much from the second number of rings to
-/// the fourth: then it is waves of the surface, which fits to fewer rings follow.
-/// \param known the noise of each place, if it were not alike: by this what is left is measured, and the result
-inline Size_of_noise noise_alike_by_rings(const std::vector<Residuals_at_place>& places,
-                                          const std::vector<double>& known, std::size_t first_ring)
-{
-  constexpr double power = 1.75;
-  constexpr double of_waves = 2.5; // grids leave up to 2.1, waves of 7 edges 3.1
-  Size_of_noise noise{0, 0};
-  for (std::size_t k = 1; k + 2 < Residuals_at_place::rings; ++k) {
-    const auto left = medians_over_places<3>(places.size(), [&](std::size_t i) {
-      const auto& variances = places[i].variances[1];
-      const double square = known[i] * known[i];
-      return std::array<double, 3>{variances[k] / square, variances[k + 1] / square, variances[k + 2] / square};
-    });
-    if (!left) break;
-    const auto [least, middle, most] = *left;
-    const double factor = double(first_ring + k + 2) / double(first_ring + k);
-    if (k == 1 && most > of_waves * least) break;
-    if (most > std::pow(factor, power) * least || std::sqrt(middle) <= noise.value) continue;
-    noise = {std::sqrt(middle), std::abs(std::sqrt(most) - std::sqrt(least)) / 2};
-  }
-  return noise;
-}
-
-/// Likewise where surfaces turn within these rings, as meshes from marching cubes and tetrahedra do: fits of the higher
-/// degree to the first number of rings follow the noise and leave far less than to the second. Of a shape the lower
-/// degree would leave far more there, or both to the next number; or nothing more the lower, if it is waves too short
-/// for this; or nearly nothing is left to the first number, as between edges of the surface.
-inline Size_of_noise noise_alike_by_degrees(const std::vector<Residuals_at_place>& places,
-                                            const std::vector<double>& known)
-{
-  // Such meshes with noise: up to .58, 3.1, 2.3 and 1.7, from 1.3 on where by_degree is above 2, and up to 27; waves of
-  // 5.5 to 8 edges, tori with independent noise, and most meshes with edges or fine details: beyond one of them.
-  constexpr double far_less = 0.6, more_by_degree = 3.2, more_by_ring = 2.4, more_by_ring_of_low = 1.75,
-                   still_more = 1.3, hardly = 2, most = 30;
-  const auto left = medians_over_places<6>(places.size(), [&](std::size_t i) {
-    const auto& [low, high] = places[i].variances;
-    const double square = known[i] * known[i];
-    // what potentials leave contains how the normals err
-    const double first = places[i].height == Height::z ? high[0] : std::numeric_limits<double>::infinity();
-    return std::array<double, 6>{low[1] / square,   high[1] / square, low[1] / high[1],
-                                 high[2] / high[1], low[2] / low[1],  first / high[1]};
-  });
-  if (!left) return {0, 0};
-  const auto [low, high, by_degree, by_ring, by_ring_of_low, of_first_ring] = *left;
-  if (of_first_ring > far_less || by_degree > more_by_degree || by_ring > more_by_ring ||
-      by_ring_of_low > more_by_ring_of_low || low > most)
-    return {0, 0};
-  const bool low_follows = by_degree > hardly; // then it, too, leaves less than the noise
-  if (low_follows && by_ring_of_low < still_more) return {0, 0};
-  const double noise = std::sqrt(low_follows ? low * by_ring_of_low : low);
-  return {noise, std::abs(noise - std::sqrt(high))};
 }
 
 /// The square of the noise in units, a little more than that: rows do not know of noise along the surface.
@@ -286,9 +192,10 @@ std::vector<Residuals_at_place> residuals_at_places(const Surface_points<Neighbo
     };
     for (std::size_t k = 0; k < rings; ++k) {
       place.counts[k] = ends[first_ring + k];
-      if (k < Place::least_rings) place.variances[0][k] = variance_of(k, degrees[0]);
-      else if (turns_too_far(surface, frame.axes.z, found, place.counts[k], least_cosine_of_heights)) break;
-      place.variances[1][k] = variance_of(k, degrees[1]);
+      if (k >= Place::least_rings &&
+          turns_too_far(surface, frame.axes.z, found, place.counts[k], least_cosine_of_heights))
+        break;
+      for (std::size_t d = 0; d < degrees.size(); ++d) place.variances[d][k] = variance_of(k, degrees[d]);
     }
     places.push_back(place);
   };
@@ -342,15 +249,15 @@ template <class Neighbors>
 Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
 {
   constexpr std::size_t first_ring = 3;
-  constexpr double more = 1.15;       // than by chance
-  constexpr double alike_at_four = 2; // vertices: these have one error, whose mean is no smaller
+  constexpr double more = 1.15; // than by chance
+  constexpr std::array<std::size_t, 2> degrees{4, 6};
   const std::size_t size = surface.points.size();
   const auto variance = [&](const Local_frame& frame, const auto& vertices, std::size_t count, std::size_t degree,
                             double unit, Height height) {
     return unit * unit * residual_variance(surface, frame, vertices, count, degree, unit, height);
   };
   const std::vector<Residuals_at_place> places =
-      residuals_at_places(surface, first_ring, {4, 6}, Residuals_at_place::rings, variance);
+      residuals_at_places(surface, first_ring, degrees, Residuals_at_place::rings, variance);
   Size_of_noise of_all = noise_at_places(places, size, first_ring);
   const bool is_told = std::isfinite(of_all.value);
   if (!is_told) // as with four rows of vertices
@@ -363,17 +270,17 @@ Surface_noise noise_of_surface(const Surface_points<Neighbors>& surface)
   Surface_noise result{{of_all.value, of_all.error}, 1, {}, {}};
   if (!is_told || !(of_all.value > 0)) return result;
   const std::vector<double> around = noise_around_places(places, size, first_ring, of_all);
-  Size_of_noise alike = noise_alike_by_rings(places, around, first_ring);
-  if (!(alike.value > more)) alike = noise_alike_by_degrees(places, around);
-  const bool is_alike = alike.value > more;
+  Noise_alike alike = noise_alike_by_rings(places, around, first_ring, degrees[1]);
+  if (!(alike.size.value > more)) alike = noise_alike_by_degrees(places, around);
+  const bool is_alike = alike.size.value > more;
   if (is_alike) {
-    result.factor = alike_at_four;
-    result.of_all = {alike.value * of_all.value, alike.error * of_all.value};
+    result.factor = alike.factor;
+    result.of_all = {alike.size.value * of_all.value, alike.size.error * of_all.value};
   }
   if (std::all_of(around.begin(), around.end(), [&](double noise) { return noise == of_all.value; })) return result;
   for (std::size_t k = 0; k < places.size(); ++k) {
     result.places.push_back(places[k].where);
-    result.at_places.push_back(is_alike ? alike.value * around[k] : around[k]);
+    result.at_places.push_back(is_alike ? alike.size.value * around[k] : around[k]);
   }
   return result;
 }
