@@ -219,12 +219,14 @@ void noise_alike_at_neighbors()
   check_le(std::sqrt(product), 1, "noise alike at neighbors, beside the best fixed choice");
 }
 
+// The distance from a torus, negative inside.
+double torus_value(const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; }
+
 // Of values at the points of a grid, exact ones or with noise: what linear interpolation errs by, and noise, is alike
 // at vertices that share a point of the grid. Curvatures are as good as by the best fixed choice.
 void isosurfaces()
 {
   constexpr double half = 3.3;
-  const auto torus_value = [](const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; };
   const auto ellipsoid_value = [](const Point& p) { return (p.x * p.x / 9 + p.y * p.y / 4 + p.z * p.z - 1) / 2; };
   const auto torus_truth = torus(2, 1, 3, 3).truth, ellipsoid_truth = ellipsoid(3, 2, 1, 1).truth;
   const double product =
@@ -264,7 +266,6 @@ void smoothed_masks()
 {
   constexpr double half = 3.3;
   constexpr int n = 30;
-  const auto torus_value = [](const Point& p) { return std::hypot(std::hypot(p.x, p.y) - 2, p.z) - 1; };
   const auto ellipsoid_value = [](const Point& p) { return p.x * p.x / 9 + p.y * p.y / 4 + p.z * p.z / 4 - 1; };
   const auto torus_truth = torus(2, 1, 3, 3).truth, ellipsoid_truth = ellipsoid(3, 2, 2, 1).truth;
   const auto beside_fixed = [&](const auto& value, const auto& truth, double cells, const std::string& name) {

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
+#include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
