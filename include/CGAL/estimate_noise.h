@@ -96,7 +96,7 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// \return standard deviations, in the unit of the coordinates and in radians, with errors; those in the middle where
 ///         they differ over the surface. Where the surface is not smooth on the scale of a few edges, or of 45 points,
 ///         what cannot be told from noise counts as noise, and the error says so. Of a mesh, noise that is alike over
-///         four edges and more counts as surface, of points one that is alike over five of their distances. Normals of
+///         four edges and more counts as surface, of points one that is alike over ten of their distances. Normals of
 ///         a mesh that are wrong are left out and counted; those that follow from its faces have infinite noise
 /// \throw Jet_fitting::Invalid_input if there are too few points, too many of them coincide, or too few have normals
 template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,

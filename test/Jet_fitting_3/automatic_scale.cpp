@@ -207,7 +207,7 @@ void noise_on_a_steep_tube()
   constexpr double noise = .01;
   const Noisy_cloud noisy(on_torus, noise, 0);
   const scale::Cloud cloud = noisy.cloud(false);
-  const scale::Ladder ladder = scale::ladder_of_cloud(.1, {noise, 0}, false, 4, 5000);
+  const scale::Ladder ladder = scale::ladder_of_cloud(.1, {{noise, 0}}, false, 4, 5000);
   const std::size_t rungs = 6; // the last radius is about 1.2 times that of the tube
   test::check_ge(ladder.radii[rungs - 1], .3, "radius");
   Indices near;

@@ -11,6 +11,7 @@
 #include <CGAL/Jet_fitting_3/averaging/whereabouts.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
+#include <CGAL/Jet_fitting_3/scale/growth_of_residuals.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
@@ -71,22 +72,15 @@ struct Noise_alike
   double factor = 1; ///< by which fits see it larger
 };
 
-/// Medians over places of what fits leave, squared, by ring, as far as rings are known; in each place per that of the
-/// higher degree to the same number of rings, for noise may differ.
-struct Residuals_by_rings
-{
-  std::vector<double> low, high; ///< of the two degrees
-  std::vector<double> parts;     ///< of the freedom of the vertices, that the higher degree takes
-  std::vector<double> powers;    ///< with which the square root of `high` grows from each number of rings to the next
-};
-
-inline Residuals_by_rings residuals_by_rings(const std::vector<Residuals_at_place>& places, std::size_t first_ring,
-                                             std::size_t higher_degree)
+/// What fits leave by ring, as far as rings are known; in each place per that of the higher degree to one number of
+/// rings, for noise may differ.
+inline scale::Growth_of_residuals growth_over_rings(const std::vector<Residuals_at_place>& places,
+                                                    std::size_t first_ring, std::size_t higher_degree)
 {
   constexpr std::size_t unit = 2; // the third number of rings
   constexpr double unknown = std::numeric_limits<double>::infinity();
   const auto unknowns = double(number_of_jet_coefficients(higher_degree));
-  Residuals_by_rings result;
+  scale::Growth_of_residuals result;
   for (std::size_t k = 0; k < Residuals_at_place::rings; ++k) {
     const auto middle = medians_over_places<3>(places.size(), [&](std::size_t i) {
       const auto& [low, high] = places[i].variances;
@@ -96,33 +90,16 @@ inline Residuals_by_rings residuals_by_rings(const std::vector<Residuals_at_plac
     });
     if (!middle) break;
     const auto [low, part, high] = *middle;
-    if (k > 0) {
-      const double rings = double(first_ring + k);
-      result.powers.push_back(std::log(high / result.high.back()) / (2 * std::log(rings / (rings - 1))));
-    }
-    result.low.push_back(low);
-    result.high.push_back(high);
-    result.parts.push_back(part);
+    const double rings = double(first_ring + k);
+    result.add(low, high, part, rings / (rings - 1));
   }
   return result;
-}
-
-/// Whether this is left of waves: it grows while rings follow them, and at once no more when they do not. With noise
-/// that is alike at neighbors it grows ever more slowly, from one number of rings to the next and to the one after that
-/// by no more than .8 and 1.2 in the power; of waves of 6 to 10 edges by .98 and 1.4, one of them at least.
-inline bool is_of_waves(const Residuals_by_rings& left)
-{
-  constexpr std::array<double, 2> slower{0.95, 1.35};
-  for (std::size_t k = 2; k < left.powers.size(); ++k)
-    for (std::size_t before = 1; before <= 2 && before < k; ++before)
-      if (std::max(0., left.powers[k]) < left.powers[k - before] - slower[before - 1]) return true;
-  return false;
 }
 
 /// Whether this is left of a shape to the first so many numbers of rings: it grows with the sixth power or more, and
 /// ever faster where it emerges from noise, and the lower degree leaves far more. To the fewest rings nothing may be
 /// left, as on meshes from grids.
-inline bool is_of_shape(const Residuals_by_rings& left, std::size_t numbers)
+inline bool is_of_shape(const scale::Growth_of_residuals& left, std::size_t numbers)
 {
   // meshes from grids, masks, and smoothed ones: up to 3.0, 2.4, .37, 1.9; all others: beyond one of them
   constexpr double steepest = 3.6, steepest_at_end = 2.4, faster = 0.4, more_by_degree = 1.9;
@@ -134,27 +111,22 @@ inline bool is_of_shape(const Residuals_by_rings& left, std::size_t numbers)
 }
 
 /// As meshes from grids, masks, and smoothed ones have it: fits to few rings follow it. The largest number of rings
-/// tells where what is left is of no shape. Of independent noise s a fit that takes a part p of the freedom leaves
-/// s^2 (1 - p), so one that takes the smaller part q leaves s^2 (p - q) more. By this the difference between two
-/// numbers of rings tells how large, were it independent, noise would be that does as much to fits of these. Such
-/// noise asks for fits of three times as many rings, which see it as much larger as it grows on.
+/// tells where what is left is of no shape.
 /// \param known the noise of each place, if it were not alike: by this the result is measured
 inline Noise_alike noise_alike_by_rings(const std::vector<Residuals_at_place>& places, const std::vector<double>& known,
                                         std::size_t first_ring, std::size_t higher_degree)
 {
   constexpr std::size_t fewest = 4;
-  const Residuals_by_rings left = residuals_by_rings(places, first_ring, higher_degree);
+  constexpr std::array<double, 2> slower{0.95, 1.35}; // such noise: by .8 and 1.2; one step of waves .98 or 1.4
+  const scale::Growth_of_residuals left = growth_over_rings(places, first_ring, higher_degree);
   std::size_t n = left.high.size();
   while (n >= fewest && is_of_shape(left, n)) --n;
-  if (n < fewest || is_of_waves(left)) return {};
-  const auto mean_square = [&](std::size_t k) { return left.high[k] * (1 - left.parts[k]); };
-  const double in_fits = (mean_square(n - 1) - mean_square(n - 3)) / (left.parts[n - 3] - left.parts[n - 1]);
+  if (n < fewest || scale::ends_at_once(left, 1, left.powers.size(), slower)) return {};
   const auto in_known = medians_over_places<1>(places.size(), [&](std::size_t i) {
     return std::array<double, 1>{places[i].variances[1][n - 1] / (known[i] * known[i])};
   });
   const double size = std::sqrt((*in_known)[0]), before = size * std::sqrt(left.high[n - 3] / left.high[n - 1]);
-  const double growth = std::pow(3, std::max(0., left.powers[n - 2]));
-  return {{size, std::abs(size - before) / 2}, growth * std::sqrt(std::max(1., in_fits / left.high[n - 1]))};
+  return {{size, std::abs(size - before) / 2}, scale::factor_in_fits(left, n)};
 }
 
 /// Likewise where surfaces turn within these rings, as meshes from marching cubes and tetrahedra do: fits of the higher

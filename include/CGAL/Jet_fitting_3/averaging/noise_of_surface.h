@@ -84,12 +84,12 @@ double residual_variance(const Surface_points<Neighbors>& surface, const Local_f
   if (!matrix.is_regular() || !of_slopes.is_regular()) return unknown;
   const auto c = matrix.solution(moments.heights, degree), flat = of_slopes.solution(moments.heights, 2);
   double sum = 0;
-  for (const Vector_3<double>& q : local) {
-    const double rest = q.z - scale::value_at(c.data(), degree, q.x, q.y).height;
-    const scale::Polynomial_value slope = scale::value_at(flat.data(), 2, q.x, q.y);
-    const Vector_3<double> gradient = slope.slope_u * frame.axes.x + slope.slope_v * frame.axes.y;
-    sum += height == Height::z ? rest * rest / (1 + dot(gradient, gradient)) : rest * rest;
-  }
+  if (height == Height::z) sum = scale::squares_along_normal(local, c.data(), degree, flat.data());
+  else
+    for (const Vector_3<double>& q : local) {
+      const double rest = q.z - scale::value_at(c.data(), degree, q.x, q.y).height;
+      sum += rest * rest;
+    }
   const double freedom = double(count - unknowns);
   return scale::median_correction(freedom) * sum / freedom;
 }

@@ -66,7 +66,7 @@ public:
       m_at_border = border_of_noise(cloud, within, m_noise, for_each);
       if (!m_at_border.empty()) m_cloud.at_border = m_at_border.data();
     }
-    learn(of_some, of_all.in_fits(), noise.has_value(), for_each);
+    learn(of_some, of_all, noise.has_value(), for_each);
   }
   // No copies: the cloud points to the flags of the border.
   Automatic_scale(Automatic_scale&&) = default;
@@ -174,7 +174,7 @@ private:
   }
 
   template <class For_each>
-  void learn(const Density& density, const Noise& noise, bool knows_noise, const For_each& for_each)
+  void learn(const Density& density, const Noise_of_cloud& noise, bool knows_noise, const For_each& for_each)
   {
     m_sample = subsample_of(m_cloud);
     make_ladders(levels_of(m_cloud, m_within, m_sample, density.radius, for_each), density, noise, knows_noise);
@@ -183,18 +183,19 @@ private:
     m_nearest = nearest_in_lists(m_cloud, m_sample, close);
   }
 
-  void make_ladders(const std::vector<int>& levels, const Density& density, const Noise& of_all, bool knows_noise)
+  void make_ladders(const std::vector<int>& levels, const Density& density, const Noise_of_cloud& of_all,
+                    bool knows_noise)
   {
     const auto [least, most] = std::minmax_element(levels.begin(), levels.end());
     for (int level = *least; level <= *most; ++level) {
       const Indices at_level = *least == *most ? Indices() : places_of_level(m_sample.points, levels, level);
       Density here{density.radius * scale_of_level(level), std::vector<int>(at_level.size(), 0)};
-      Noise noise = of_all;
+      Noise_of_cloud noise = of_all;
       if (at_level.empty()) {
         here.across_lines = density.across_lines;
       } else {
         here.across_lines = factor_across_lines(m_cloud, m_within, at_level, here);
-        if (!knows_noise) noise = estimate_noise(m_cloud, m_within, at_level, here).in_fits();
+        if (!knows_noise) noise = estimate_noise(m_cloud, m_within, at_level, here);
       }
       // normals tell how the surface goes on across lines
       const double radius = m_cloud.has_normals() ? here.radius : here.across_lines * here.radius;

@@ -36,6 +36,22 @@ struct Cloud
   bool is_sample(std::size_t i) const { return has_data(i) && !(at_border && at_border[i]); }
 };
 
+/// The noise of a cloud.
+struct Noise_of_cloud
+{
+  Noise noise;
+  double factor = 1; ///< by which fits see that of positions larger, where it is alike at neighbors
+
+  /// What errors come to in fits.
+  Noise in_fits() const
+  {
+    Noise result = noise;
+    result.position *= factor;
+    result.position_error *= factor;
+    return result;
+  }
+};
+
 /// Radii that grow by steps of 25 %, and where on that ladder things begin; all that is the same where points are about
 /// as dense.
 struct Ladder
@@ -45,9 +61,10 @@ struct Ladder
   std::size_t frame;           ///< where the tangent plane is taken
   std::size_t axes;            ///< where the principal directions are taken
   std::size_t first_reference; ///< the smallest ball with which candidates are compared
-  Noise noise;
-  bool with_normals;          ///< as data: fits are of the potential of the Gauss map
-  std::size_t highest_choice; ///< the highest degree that may be chosen
+  Noise noise;                 ///< as fits see it
+  double spread;               ///< the standard deviation of points about the surface, which may be less
+  bool with_normals;           ///< as data: fits are of the potential of the Gauss map
+  std::size_t highest_choice;  ///< the highest degree that may be chosen
   double patch; ///< the radius over which the bias is averaged: a compromise between the bias of one place, and chance
 
   /// Those that the frame and the principal directions need.
@@ -55,10 +72,7 @@ struct Ladder
 
   /// Whether what is taken for noise may be the shape: it is no small part of the balls with the fewest neighbors, and
   /// a quarter of it is uncertain, as other balls tell otherwise. Then nothing is known of the bias.
-  bool noise_may_be_shape() const
-  {
-    return 12 * noise.position > radii.front() && 4 * noise.position_error > noise.position;
-  }
+  bool noise_may_be_shape() const { return 12 * spread > radii.front() && 4 * noise.position_error > noise.position; }
 };
 
 /// The ratio of neighboring radii.
@@ -85,17 +99,18 @@ inline double scale_of_level(int level) { return std::pow(ladder_step, steps_of_
 constexpr std::size_t least_rungs = 10;
 
 /// From the radius that holds least_neighbors. \param points in the cloud
-inline Ladder ladder_of_cloud(double least_radius, const Noise& noise, bool has_normals, std::size_t highest_choice,
-                              std::size_t points)
+inline Ladder ladder_of_cloud(double least_radius, const Noise_of_cloud& noise, bool has_normals,
+                              std::size_t highest_choice, std::size_t points)
 {
   Ladder ladder;
-  ladder.noise = noise;
+  ladder.noise = noise.in_fits();
+  ladder.spread = noise.noise.position;
   ladder.with_normals = has_normals;
   ladder.highest_choice = highest_choice;
   const auto reaches = [&](double multiple) {
     std::size_t j = 0;
     double r = least_radius;
-    for (; r < multiple * noise.position && j < 60; ++j) r *= ladder_step;
+    for (; r < multiple * ladder.spread && j < 60; ++j) r *= ladder_step;
     return j;
   };
   ladder.first = reaches(6);

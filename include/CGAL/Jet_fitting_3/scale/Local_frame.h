@@ -184,13 +184,15 @@ inline numeric::Eigen_3<double> principal_axes(const Cloud& cloud, const Indices
 }
 
 /// From positions: principal component analysis, then degree 2 twice, the origin moving to its foot point on the fitted
-/// surface, five times the noise at most.
+/// surface, five times the spread of the points about that at most.
 inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, std::size_t i, double radius,
-                                      const Noise& noise)
+                                      double spread)
 {
+  Noise noise;
+  noise.position = spread;
   const Vector_3<double> p = cloud.points[i];
   Local_frame frame{p, {}};
-  const Indices nearest = inside(cloud, near, frame, radius + 5 * noise.position);
+  const Indices nearest = inside(cloud, near, frame, radius + 5 * spread);
   frame.axes = basis_around(unit_vector(principal_axes(cloud, nearest, i, radius).vectors[2]));
   for (int round = 0; round < 2; ++round) {
     const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
@@ -198,7 +200,7 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
     const Vector_3<double> n = unit_vector({-fit.coefficient(1, 2), -fit.coefficient(2, 2), 1});
     const Vector_3<double> normal = frame.axes.out(n);
     const Vector_3<double> foot = frame.origin + (fit.coefficient(0, 2) * radius * n.z) * normal;
-    if (dot(foot - p, foot - p) <= 25 * noise.position * noise.position) frame.origin = foot;
+    if (dot(foot - p, foot - p) <= 25 * spread * spread) frame.origin = foot;
     frame.axes = basis_around(unit_vector(normal));
   }
   return frame;

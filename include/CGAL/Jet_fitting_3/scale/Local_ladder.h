@@ -62,18 +62,18 @@ struct Wanted_rungs
   std::size_t end() const { return std::max({balls.end, elongated[0].end, elongated[1].end}); }
 };
 
-/// The tangent plane at point i. Neighbors within the radius of ladder.frame, and five times the noise, are needed.
+/// The tangent plane at point i. Neighbors within the radius of ladder.frame, and five times the spread, are needed.
 inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::size_t i, const Ladder& ladder)
 {
   return cloud.has_normals() ? frame_by_normals(cloud, near, i, ladder.radii[ladder.first],
                                                 ladder.radii[ladder.first + 1], ladder.noise)
-                             : frame_by_positions(cloud, near, i, ladder.radii[ladder.frame], ladder.noise);
+                             : frame_by_positions(cloud, near, i, ladder.radii[ladder.frame], ladder.spread);
 }
 
 /// How far around a point its neighbors are needed for so many rungs: the origin may move.
 inline double reach(const Cloud& cloud, const Ladder& ladder, std::size_t rungs)
 {
-  return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.noise.position);
+  return ladder.radii[rungs - 1] + (cloud.has_normals() ? 0 : 5 * ladder.spread);
 }
 
 /// The neighbors of a point, for fits with normals, which tell other sheets, and whose noise is not cut off.

@@ -7,10 +7,12 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_POLYNOMIAL_VALUE_H
 #define CGAL_JET_FITTING_3_SCALE_POLYNOMIAL_VALUE_H
 
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
@@ -41,6 +43,22 @@ inline Polynomial_value value_at(const double* coefficients, std::size_t degree,
     power_of_v *= v;
   }
   return value;
+}
+
+/// What a polynomial leaves of samples (u, v, height), along the normal, squared and summed. Noise along the surface
+/// shows in heights where these slope, by the factor 1 + |slopes|^2: the sum is free of that. Slopes of degree 2 will
+/// do, which have little noise themselves.
+/// \param flat the polynomial of degree 2
+inline double squares_along_normal(const std::vector<Vector_3<double>>& samples, const double* polynomial,
+                                   std::size_t degree, const double* flat)
+{
+  double sum = 0;
+  for (const Vector_3<double>& s : samples) {
+    const double rest = s.z - value_at(polynomial, degree, s.x, s.y).height;
+    const Polynomial_value slope = value_at(flat, 2, s.x, s.y);
+    sum += rest * rest / (1 + slope.slope_u * slope.slope_u + slope.slope_v * slope.slope_v);
+  }
+  return sum;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE

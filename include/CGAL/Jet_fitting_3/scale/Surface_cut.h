@@ -56,7 +56,7 @@ public:
   /// \param of_balls fits of degree 2, one a ball
   Surface_cut(const Balls& balls, const std::vector<Look>& looks, const std::vector<Second_order>& of_balls,
               const Ladder& ladder)
-    : m_balls(balls), m_nearest(std::pow(6 * ladder.noise.position / balls.unit(), 2)), m_surface(looks.size())
+    : m_balls(balls), m_nearest(std::pow(6 * ladder.spread / balls.unit(), 2)), m_surface(looks.size())
   {
     for (std::size_t j = 0, k = 0; j < looks.size(); ++j) {
       if (!looks[j].is_cut) continue;

@@ -10,6 +10,7 @@
 #include <CGAL/Jet_fitting_3/Invalid_input.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
+#include <CGAL/Jet_fitting_3/scale/noise_alike.h>
 #include <CGAL/Jet_fitting_3/scale/residual_variance.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
 
@@ -63,11 +64,10 @@ Residual_variances residual_variances(const Cloud& cloud, const Within& within, 
   within(i, radius, near);
   if (near.size() < number_of_unknowns + 10) return {};
   const Cloud positions{cloud.points, nullptr, cloud.size};
-  constexpr double flat = 4; // squared: noise has 9 in balls of six times its size, disks that bend far 5, tubes 1
   const numeric::Eigen_3<double> axes = principal_axes(cloud, near, i, radius);
   const Local_frame frame{cloud.points[i], basis_around(axes.vectors[2])};
   Residual_variances result;
-  result.look_flat = axes.values[1] > flat * axes.values[2];
+  result.look_flat = look_flat(axes);
   result.neighbors = double(near.size());
   result.heights = residual_variance(positions, near, frame, radius, false);
   if (!cloud.has_normals()) return result;
@@ -221,63 +221,6 @@ Density density(const Cloud& cloud, const Within& within, const Indices& places)
   return result;
 }
 
-/// By how much more is left in balls one step larger.
-inline double growth(const Residuals_of_balls& of_balls, const Residuals_of_balls& of_larger)
-{
-  return of_larger.heights.value / of_balls.heights.value;
-}
-
-/// The variance of noise that is alike at neighbors, as where depths were smoothed or rounded. Fits in small balls
-/// follow such errors: what they leave grows from ball to ball, fast at first, then less and less. It does not grow
-/// where the noise of each point is its own; of a shape it is a power of the radius, and six times as much at first
-/// where samples are not few. Of waves it grows until a ball holds one, and from there no more. What the balls in which
-/// it grows least do not leave of the noise falls with the radius, about as its inverse.
-/// \param at what is left at a factor of the radii, and one above that
-/// \param of_balls, of_larger what is left at the factor, and one step above
-/// \return nothing where it is not so
-template <class At>
-std::optional<Estimated_variance> variance_alike_at_neighbors(const At& at, double factor, Residuals_of_balls of_balls,
-                                                              Residuals_of_balls of_larger)
-{
-  constexpr double least_at_first = 1.3, most_at_first = 5, most_at_last = 2.2, hardly = 1.1;
-  constexpr double by_chance = 1.1, much = 1.4, steep = 0.35, most_part = 0.5;
-  double grows = growth(of_balls, of_larger);
-  if (!(grows > least_at_first && grows < most_at_first) || !of_larger.look_flat) return std::nullopt;
-  bool is_seen = false;
-  while (grows > hardly && of_larger.part < most_part) {
-    const Residuals_of_balls next = at(factor *= ladder_step, ladder_step);
-    const double then = growth(of_larger, next);
-    const bool holds_wave = grows > much && then - 1 < steep * (grows - 1);
-    if (holds_wave) return std::nullopt;
-    if (!(then < by_chance * grows) || !next.look_flat) break;
-    is_seen = true;
-    of_balls = of_larger;
-    of_larger = next;
-    grows = then;
-  }
-  if (!is_seen || !(grows < most_at_last)) return std::nullopt;
-  const Estimated_variance& largest = of_larger.heights;
-  const double missing = std::max(0., largest.value - of_balls.heights.value) / (ladder_step - 1);
-  return Estimated_variance{largest.value + missing, std::hypot(largest.error, missing)};
-}
-
-/// The noise of a cloud, and whether that of positions is alike at neighbors.
-struct Noise_of_cloud
-{
-  Noise noise;
-  bool is_alike = false;
-
-  /// What errors come to in fits: where some neighbors have one error, its mean is no smaller.
-  Noise in_fits() const
-  {
-    const double factor = is_alike ? std::sqrt(2.) : 1;
-    Noise result = noise;
-    result.position *= factor;
-    result.position_error *= factor;
-    return result;
-  }
-};
-
 /// The noise of a cloud: in the smallest balls that hold least_neighbors and are six times as large as the noise found
 /// in them, or in larger ones where it is alike at neighbors. Errors are by chance, and by what other balls say; as
 /// large as the noise where points do not look like those of a surface, as around a tube that is thin for them, and
@@ -300,13 +243,13 @@ Noise_of_cloud estimate_noise(const Cloud& cloud, const Within& within, const In
     return std::hypot(own.value - first.value, misfit(own, next, ladder_step));
   };
   Noise noise;
-  const auto alike = variance_alike_at_neighbors(at, factor, v, larger);
-  if (alike) set_noise(*alike, 0, noise.position, noise.position_error);
+  const std::optional<Alike> alike = noise_alike_at_neighbors(cloud, within, places, radii_at(density, factor, 1));
+  if (alike) set_noise(alike->variance, 0, noise.position, noise.position_error);
   else set_noise(v.heights, bias(least.heights, v.heights, larger.heights), noise.position, noise.position_error);
   const bool is_overall = factor > least_factor && v.part > 0.5;
   if (is_overall || !v.look_flat) noise.position_error = std::max(noise.position_error, noise.position);
   set_noise(v.slopes, bias(least.slopes, v.slopes, larger.slopes), noise.normal, noise.normal_error);
-  return {noise, alike.has_value()};
+  return {noise, alike ? alike->factor : 1};
 }
 
 /// In the smallest balls that will do. \throw Invalid_input if there are too few points
