@@ -112,7 +112,7 @@ struct Alike
 
 /// Whether this is left of a shape in the first so many balls: it grows with the sixth power or more, or ever faster
 /// where it emerges from noise, and the lower degree leaves far more.
-inline bool is_of_shape(const Growth_of_residuals& left, std::size_t balls)
+inline bool grows_as_shape(const Growth_of_residuals& left, std::size_t balls)
 {
   // smoothed noise: up to 1.6, 2.3, .4, 1.9; shapes, also coarse ones, and waves in noise: beyond one of them
   constexpr double emerges = 2.1, steepest_at_end = 2.4, faster = 0.4, more_by_degree = 1.9;
@@ -140,7 +140,7 @@ std::optional<Alike> noise_alike_at_neighbors(const Cloud& cloud, const Within& 
   constexpr std::array<double, 2> slower{2.6, 3.1};    // smoothed noise: up to 2.5 and 3; of waves one step 2.6 or 3.2
   const Growth_of_residuals left = growth_over_balls(cloud, within, places, radii);
   std::size_t n = left.high.size();
-  while (n >= fewest && is_of_shape(left, n)) --n;
+  while (n >= fewest && grows_as_shape(left, n)) --n;
   if (n < fewest || ends_at_once(left, 0, std::min(n, left.powers.size()), slower)) return std::nullopt;
   if (left.high[n - 1] < grows * left.high[0]) return std::nullopt;
   const double missing = std::max(0., left.high[n - 1] - left.high[n - 2]) / (ladder_step - 1);
