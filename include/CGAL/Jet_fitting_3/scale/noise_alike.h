@@ -7,13 +7,16 @@
 #ifndef CGAL_JET_FITTING_3_SCALE_NOISE_ALIKE_H
 #define CGAL_JET_FITTING_3_SCALE_NOISE_ALIKE_H
 
+#include <CGAL/Jet_fitting_3/numeric/Vector_3.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/numeric/symmetric_eigen.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/scale/Heights_in_disk.h>
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/growth_of_residuals.h>
-#include <CGAL/Jet_fitting_3/values/Noise.h>
+#include <CGAL/Jet_fitting_3/values/Jet.h>
+#include <CGAL/Jet_fitting_3/values/Local_frame.h>
 
 #include <algorithm>
 #include <array>
