@@ -54,8 +54,11 @@ Noise noise_of_points(const PointRange& points, const NamedParameters& np)
   const std::optional<Unit_normals> given = unit_normals_if_any(points, np, read.size());
   const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
   const Unit_normals normals = given.value_or(Unit_normals()).reordered(tables.samples.tree().numbers());
-  const Unit_cloud<Kernel> samples(tables, normals);
-  return in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()).noise, samples.per_length());
+  Unit_cloud<Kernel> samples(tables, normals);
+  samples.leave_out_outliers(For_each_sample<ConcurrencyTag>());
+  Noise noise = in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()).noise, samples.per_length());
+  noise.wrong_normals = samples.wrong_normals();
+  return noise;
 }
 
 template <class ConcurrencyTag, class FaceGraph, class NamedParameters>
@@ -64,14 +67,16 @@ Noise noise_of_vertices(const FaceGraph& mesh, const NamedParameters& np)
   const auto tables = mesh_tables<ConcurrencyTag>(mesh, np, {true, true});
   const Normal_table of_mesh = normals_of_mesh<ConcurrencyTag>(mesh, tables);
   const auto in_lengths = [&](const Noise& noise) { return in_larger_unit(noise, tables.points.per_length()); };
+  const For_each_with_body<ConcurrencyTag> for_each;
   const auto of_positions = [&] {
-    return in_lengths(noise_of_positions(Unit_surface(tables, of_mesh, false), tables.points, Options()).of_all);
+    const Unit_surface surface(tables, of_mesh, false, Options(), for_each);
+    return in_lengths(noise_of_positions(surface, tables.points, Options()).of_all);
   };
   if constexpr (has_given_normals<NamedParameters>) {
     const Normals_as_data normals =
         normals_beside_faces(mesh, tables, of_mesh, read_unit_normals(np, *tables.numbering));
     if (normals.are_means_of_faces) return without_normals(of_positions());
-    const Noisy_surface surface(tables, of_mesh, normals, Options(), For_each_with_body<ConcurrencyTag>());
+    const Noisy_surface surface(tables, of_mesh, normals, Options(), for_each);
     return surface.has_normals() ? in_lengths(surface.noise()) : without_normals(of_positions());
   } else return of_positions();
 }
@@ -84,7 +89,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Choice
 /// Estimates the noise of a point set or mesh, and of its normals if there are any, from what jets of high degree leave
-/// in small neighborhoods at about 200 places. It is what automatic() goes by, and costs little beside it.
+/// in small neighborhoods at about 200 places, without outliers (see automatic()). It is what automatic() goes by, and
+/// costs little beside it.
 ///
 /// \tparam ConcurrencyTag Sequential_tag, Parallel_tag (needs TBB) or Parallel_if_available_tag. The results are the
 ///         same, bit by bit, for every tag and number of threads.
@@ -96,8 +102,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// \return standard deviations, in the unit of the coordinates and in radians, with errors; those in the middle where
 ///         they differ over the surface. Where the surface is not smooth on the scale of a few edges, or of 45 points,
 ///         what cannot be told from noise counts as noise, and the error says so. Of a mesh, noise that is alike over
-///         four edges and more counts as surface, of points one that is alike over ten of their distances. Normals of
-///         a mesh that are wrong are left out and counted; those that follow from its faces have infinite noise
+///         four edges and more counts as surface, of points one that is alike over ten of their distances. Normals
+///         that are wrong are left out and counted; those of a mesh that follow from its faces have infinite noise
 /// \throw Jet_fitting::Invalid_input if there are too few points, too many of them coincide, or too few have normals
 template <class ConcurrencyTag = Sequential_tag, class PointsOrMesh,
           class NamedParameters = parameters::Default_named_parameters>

@@ -466,7 +466,8 @@ void bump_in_a_plane(double s, double noise, double most)
   check_ge(double(held), 0.85 * double(2 * on_bump.size()), name + ": intervals that hold the curvature");
 }
 
-// Some points have ten times the noise of the others, which is no detail.
+// Some points have ten times the noise of the others, which is no detail. Some of them are outliers, without which the
+// others are as if they had never been there.
 void noise_of_few(double noise)
 {
   Cloud cloud = noisy_torus(6000, noise);
@@ -475,9 +476,29 @@ void noise_of_few(double noise)
   std::normal_distribution<double> normal(0, 10 * noise);
   for (std::size_t i = 0; i < cloud.points.size(); i += 33)
     cloud.points[i].first += Kernel::Vector_3(normal(random), normal(random), normal(random));
-  const double error = rms_error(forms_of(cloud.points, jets::automatic(), 8), cloud);
-  std::cout << "noise of few " << noise << ": " << error << ", without it " << without << std::endl;
-  check_le(error, 1.7 * without, "errors where some points have more noise than " + text(noise));
+  jets::Options keeping;
+  keeping.keep_outliers = true;
+  const double kept = rms_error(forms_of(cloud.points, jets::automatic(), 8, keeping), cloud);
+  std::vector<Form> forms;
+  const auto summary =
+      CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                       CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
+                                           .normal_map(CGAL::Second_of_pair_property_map<Oriented>()));
+  const auto error_of_others = [&](const std::vector<Form>& found, const Cloud& of) {
+    double squares = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (i % 33 != 0)
+        squares +=
+            std::pow((found[i].principal_curvatures(0) + found[i].principal_curvatures(1)) / 2 - of.mean_curvature[i],
+                     2);
+    return std::sqrt(squares / double(found.size() - found.size() / 33));
+  };
+  const double left_out = error_of_others(forms, cloud);
+  std::cout << "noise of few " << noise << ": " << left_out << ", if they are data " << kept << ", without it "
+            << without << std::endl;
+  check_ge(double(summary.estimated), .98 * double(forms.size()), "outliers are some of the few");
+  check_le(left_out, 1.3 * without, "errors where some points have more noise than " + text(noise));
+  check_le(kept, 1.7 * without, "errors if all are data, where some have more noise than " + text(noise));
 }
 
 // Points on a line determine no surface. On a plane, with noise and without, directions mean little.
@@ -773,7 +794,7 @@ void highest_degree()
   check_equal(forms.front().coefficients().size(), jets::number_of_monge_coefficients(5), "degree_monge 5");
 }
 
-// With Loss::tukey outliers are left out: what remains is estimated as if they were not there. They have no form.
+// Outliers are left out: what remains is estimated as if they were not there. They have no form.
 void outliers(bool normals)
 {
   Cloud cloud = noisy_torus(3000, 0.003);
@@ -786,9 +807,9 @@ void outliers(bool normals)
   }
   const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>())
                       .normal_map(CGAL::Second_of_pair_property_map<Oriented>());
+  const auto np_of_points = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>());
   jets::Options options = normals ? with_normals() : jets::Options();
-  const auto rms = [&](jets::Loss loss) {
-    options.loss = loss;
+  const auto rms = [&] {
     std::vector<Form> forms;
     const auto summary =
         CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms), np, options);
@@ -800,23 +821,68 @@ void outliers(bool normals)
       const double H = (forms[i].principal_curvatures(0) + forms[i].principal_curvatures(1)) / 2;
       sum += std::pow(H - cloud.mean_curvature[i], 2);
     }
-    if (loss == jets::Loss::tukey) {
+    if (!options.keep_outliers) {
       check_ge(double(found), 120., "outliers found of 150, some of which are near the surface");
-      check_le(double(wrong), 10., "others taken for outliers");
+      check_le(double(wrong), 2., "others taken for outliers");
       check_le(summary.noise.position, 0.0036, "noise without outliers");
+      if (!normals)
+        check_equal(CGAL::estimate_noise(cloud.points, np_of_points).position, summary.noise.position,
+                    "estimate_noise() leaves them out, too");
+    } else {
+      check_equal(found + wrong, std::size_t(0), "outliers that are kept");
     }
     return std::sqrt(sum / 2850);
   };
-  std::vector<Oriented> plane;
-  for (int i = 0; i < 2500; ++i)
-    plane.emplace_back(Kernel::Point_3(i % 50, i / 50, 0.3 * (i % 50)), Kernel::Vector_3(-0.3, 0, 1));
-  options.loss = jets::Loss::tukey;
-  forms_of(plane, jets::automatic(), 4, options); // all are estimated: rounding errors make no outliers
-  options.loss = jets::Loss::least_squares;
   const double without =
       rms_error(forms_of(noisy_torus(3000, 0.003).points, jets::automatic(), 4, options), noisy_torus(3000, 0.003));
-  check_le(rms(jets::Loss::tukey), 1.5 * without, "errors beside outliers");
-  check_ge(rms(jets::Loss::least_squares), 1.5 * without, "errors if they are data");
+  check_le(rms(), 1.5 * without, "errors beside outliers");
+  options.keep_outliers = true;
+  check_ge(rms(), 1.5 * without, "errors if they are data");
+  options.loss = jets::Loss::tukey;
+  check_throws<jets::Invalid_input>([&] { rms(); }, {"keep_outliers"}, "outliers that are both kept and left out");
+}
+
+// Exact points, one of which is not on the surface: it would spoil all around it.
+void one_outlier_of_exact_points()
+{
+  Cloud cloud = noisy_torus(3000, 0);
+  cloud.points[100].first += 0.1 * cloud.points[100].second;
+  std::vector<Form> forms;
+  const auto summary =
+      CGAL::estimate_point_monge_forms(cloud.points, jets::automatic(), std::back_inserter(forms),
+                                       CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>()));
+  check_true(summary.status(100).has(jets::Status_flag::outlier), "the point beside the torus is an outlier");
+  check_equal(summary.estimated, cloud.points.size() - 1, "all others have forms");
+}
+
+// What is no outlier, however far it is from a fit of degree 2.
+void shapes_without_outliers()
+{
+  const auto outliers_of = [](const std::vector<Kernel::Point_3>& points) {
+    std::vector<Form> forms;
+    const auto summary = CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) count += summary.status(i).has(jets::Status_flag::outlier);
+    return double(count);
+  };
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 50);
+  std::normal_distribution<double> normal;
+  std::vector<Kernel::Point_3> plane, sheets, rounded, sphere, terraces;
+  for (int i = 0; i < 2500; ++i) {
+    const double x = uniform(random), y = uniform(random), z = 0.003 * x * x;
+    plane.emplace_back(i % 50, i / 50, 0.3 * (i % 50)); // rounding errors
+    sheets.emplace_back(x, y, z + i % 2);               // at a distance of a spacing
+    rounded.emplace_back(x, y, z - 0.002 * y * y + 0.1 * normal(random));
+    terraces.emplace_back(i % 50, i / 50, std::round(0.05 * (i % 50) * (i % 50) / 25)); // of a depth camera
+    const double a = normal(random), b = normal(random), c = normal(random), r = std::sqrt(a * a + b * b + c * c);
+    sphere.emplace_back(a / r, b / r, c / r);
+  }
+  check_equal(outliers_of(plane), 0., "a plane, of rounded coordinates");
+  check_equal(outliers_of(sheets), 0., "two sheets");
+  check_le(outliers_of(rounded), 1., "normal noise");
+  check_le(outliers_of(terraces), 5., "terraces");
+  check_le(outliers_of(sphere), 6., "a sphere without noise, of points at random");
 }
 
 // z = .15 sin(3 x), where the third-order coefficient across the waves is the derivative of the curvature by length,
@@ -930,6 +996,8 @@ int main()
   noise_like_the_shape();
   highest_degree();
   for (const bool normals : {false, true}) outliers(normals);
+  one_outlier_of_exact_points();
+  shapes_without_outliers();
   for (const double noise : {.003, .01})
     for (const bool with_normals : {false, true}) third_order(noise, with_normals);
   misuse();

@@ -160,8 +160,9 @@ public:
       ("no-orient", "points without normals: leave their orientations as they are, instead of making neighbors agree")
       ("weights", word("kind", "unit"),
        "of the neighbors by their distance: unit, gaussian, wendland, inverse_distance")
-      ("robust", word("loss", "none"), "to outliers: none, absolute, huber, cauchy, tukey; needs some five times the "
-                                       "points that the fit needs at least")
+      ("robust", word("loss", "none"), "to outliers, where radius and degree are given: none, absolute, huber, cauchy, "
+                                       "tukey; needs some five times the points that the fit needs at least")
+      ("keep-outliers", "where radius and degree are not given, outliers are left out: no, they are data like others")
       ("errors", "standard errors of all coefficients, among the quantities")
       ("no-quality", "neither condition numbers nor residuals, which take half as long as the fits; ridges need them")
       ("lower-degree", "where the points do not suffice for degree d, fit a lower one instead of skipping the vertex");
@@ -342,6 +343,7 @@ private:
                                    {"tukey", Loss::tukey}});
     a.options.standard_errors = given.count("errors") != 0 || a.ridge_options.significance > 0;
     a.options.lower_degree = given.count("lower-degree") != 0;
+    a.options.keep_outliers = given.count("keep-outliers") != 0;
     a.options.report_quality = given.count("no-quality") == 0 || a.finds_ridges; // which tells zeros by it
   }
 

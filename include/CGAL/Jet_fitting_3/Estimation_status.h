@@ -49,9 +49,9 @@ enum class Status_flag : std::uint16_t
   /// Of a place that is no sample: the jet has no point closest to it over the samples. The place is beside them, or
   /// too far away.
   beside_samples = 1024,
-  /// With automatic() and Loss::tukey: a robust fit of degree 2 to the 45 nearest points leaves this one no weight, or
-  /// a vertex is far from such a fit to the rings around, while others there are not. It is no neighbor of others, and
-  /// has no form.
+  /// With automatic(), unless Options::keep_outliers is set: a point is far from a robust fit of degree 2 to the 45
+  /// nearest, or a vertex of a mesh from such a fit to the rings around, or from these; while most of the others there
+  /// are not. It is no neighbor of others, and has no form.
   outlier = 2048
 };
 

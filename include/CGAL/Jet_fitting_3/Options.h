@@ -53,8 +53,8 @@ struct Fit_options
   /// and point sets takes them from a property map.
   std::vector<double> point_weights;
 
-  /// A robust loss needs about 5 N_d samples to tell outliers from the surface. With automatic() tukey leaves out
-  /// outliers first.
+  /// A robust loss needs about 5 N_d samples to tell outliers from the surface. automatic() takes least_squares, and
+  /// tukey for the same: it leaves out outliers in any case.
   Loss loss = Loss::least_squares;
 
   /// Estimate the standard errors of the normal and of every Monge coefficient: steps 3 and 4 are run once more for
@@ -99,6 +99,9 @@ struct Options : Fit_options
   /// surround it; otherwise its status is Status_flag::too_few_points. Of any point of a set it is
   /// Status_flag::rank_deficient where a fit leans more than 45 degrees from the tangent plane.
   bool use_normals = false;
+
+  /// With automatic(): outliers (Status_flag::outlier) are data like others, and have forms.
+  bool keep_outliers = false;
 
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as
   /// long as the fits. Standard errors are kept whenever they are asked for.

@@ -50,12 +50,15 @@ namespace Jet_fitting {
 /// tells radius and degree, bias and standard deviation of the curvatures, infinite where nothing is known of the bias,
 /// as where noise cannot be told from the shape, and errors that contain the bias, of the curvatures and of the third
 /// order coefficients b0 and b3; but nothing of one fit, of which there are several. Nor is a status one_sided or
-/// pca_ambiguous set. Weights, robust losses and standard errors are refused, but for one: with Loss::tukey, points of
-/// a set that a robust fit of degree 2 to the 45 nearest leaves no weight, or whose normal is as far from that fit with
-/// use_normals, and vertices of a mesh that are far from the surface of their neighbors while others around are not,
-/// are outliers (Status_flag::outlier): nobody's neighbors. With use_normals points of a set that lie no farther inside
-/// a border than noise moves points are nobody's neighbors either, if their normals are seen to be turned outwards, as
-/// where the noise of normals goes with that of positions.
+/// pca_ambiguous set. Weights, standard errors and robust losses but Loss::tukey are refused.
+///
+/// Outliers (Status_flag::outlier) are nobody's neighbors and have no form, unless Options::keep_outliers is set:
+/// points of a set to which a fit of degree 2 to the 45 nearest, with the loss of Tukey, leaves no weight, and which
+/// are five times as far from it as 70 % of these are from theirs, if one of all is seven times as far; vertices of a
+/// mesh that are far from the surface of their neighbors, while 85 % of those around are not a quarter as far. With
+/// use_normals, normals of points that are as far from those of such fits are left out (Noise::wrong_normals), and
+/// points that lie no farther inside a border than noise moves points are nobody's neighbors either, if their normals
+/// are seen to be turned outwards, as where the noise of normals goes with that of positions.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

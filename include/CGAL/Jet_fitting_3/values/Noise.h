@@ -32,8 +32,10 @@ struct Noise
   /// expects smaller errors.
   double normal = 0, normal_error = 0;
   /// @}
-  /// How many given normals of a mesh are taken for wrong, and not as data: those that differ from the tangent
-  /// planes, or from what the normals around them say, by far more than others do.
+  /// How many given normals are taken for wrong, and not as data: of a mesh those that differ from the tangent planes,
+  /// or from what the normals around them say, by far more than others do, of a point set those that differ so from
+  /// robust fits to the points around. A point of a set whose normal is wrong is no sample, and has a form all the
+  /// same.
   std::size_t wrong_normals = 0;
 };
 

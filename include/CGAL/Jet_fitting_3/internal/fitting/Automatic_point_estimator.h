@@ -56,7 +56,7 @@ public:
     scale::Cloud positions = m_cloud.cloud();
     positions.normals = nullptr;
     Scale without = learned<ConcurrencyTag>(positions, degrees, options);
-    const For_each<ConcurrencyTag> for_each;
+    const For_each_sample<ConcurrencyTag> for_each;
     using Solver = Orthogonal_solver<double>;
     m_are_normals_left_aside =
         is_better_without(without.template expected_square<Solver>(for_each),
@@ -72,7 +72,10 @@ public:
   /// In lengths.
   Noise noise() const
   {
-    return in_larger_unit(m_are_normals_left_aside ? without_normals(m_scale.noise()) : m_scale.noise(), per_length());
+    Noise noise = in_larger_unit(m_scale.noise(), per_length());
+    if (m_are_normals_left_aside) return without_normals(noise);
+    noise.wrong_normals = m_cloud.wrong_normals();
+    return noise;
   }
 
 private:
@@ -81,26 +84,15 @@ private:
   template <class ConcurrencyTag>
   Scale learned(const scale::Cloud& cloud, const Automatic_degrees& degrees, const Options& options) const
   {
-    return Scale(cloud, std::cref(m_cloud.search()), For_each<ConcurrencyTag>(), noise(options),
+    return Scale(cloud, std::cref(m_cloud.search()), For_each_sample<ConcurrencyTag>(), noise(options),
                  (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest);
   }
 
-  template <class ConcurrencyTag>
-  struct For_each
-  {
-    template <class Body>
-    void operator()(std::size_t count, const Body& body) const
-    {
-      constexpr std::size_t at_a_time = 8;
-      for_each_number<ConcurrencyTag>(count, body, at_a_time);
-    }
-  };
-
-  /// Without outliers, if they are to be found.
+  /// Without outliers, unless they are kept.
   template <class ConcurrencyTag>
   scale::Cloud cloud(const Options& options)
   {
-    if (options.loss == Loss::tukey) m_cloud.leave_out_outliers(For_each<ConcurrencyTag>());
+    if (!options.keep_outliers) m_cloud.leave_out_outliers(For_each_sample<ConcurrencyTag>());
     return m_cloud.cloud();
   }
 

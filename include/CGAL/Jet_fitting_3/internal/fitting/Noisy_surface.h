@@ -54,13 +54,13 @@ class Noisy_surface
 {
 public:
   /// \param of_mesh normals of the nodes, by the faces
-  /// \param options noise that is given, and the loss: with tukey outliers are left out
+  /// \param options noise that is given, and whether outliers are kept
   /// \param for_each as for Surface_choice
   /// \throw Invalid_input if noise is not given and cannot be told
   template <class Tables, class For_each>
   Noisy_surface(const Tables& tables, const Normal_table& of_mesh, const Normals_as_data& normals,
                 const Options& options, const For_each& for_each)
-    : m_surface(tables, of_mesh, !normals.given.empty(), options.loss == Loss::tukey, for_each),
+    : m_surface(tables, of_mesh, !normals.given.empty(), options, for_each),
       m_noise(noise_of_positions(m_surface, tables.points, options))
   {
     const Unit_surface::Surface& s = surface();

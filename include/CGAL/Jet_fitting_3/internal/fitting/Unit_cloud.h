@@ -11,6 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/fitting/outliers.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Ball_search.h>
+#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_tables.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Unit_normals.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
@@ -27,6 +28,18 @@ namespace CGAL {
 namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
+
+/// See Automatic_scale: several at a time.
+template <class ConcurrencyTag>
+struct For_each_sample
+{
+  template <class Body>
+  void operator()(std::size_t count, const Body& body) const
+  {
+    constexpr std::size_t at_a_time = 8;
+    for_each_number<ConcurrencyTag>(count, body, at_a_time);
+  }
+};
 
 /// Samples as automatic() and estimate_noise() take them: near the origin, half of them within 1 in each coordinate,
 /// with a search for neighbors. The tables must outlive it.
@@ -56,15 +69,19 @@ public:
   }
   bool is_outlier(Index sample) const { return !m_outliers.empty() && m_outliers[sample]; }
 
-  /// Leaves out the outliers. \param for_each see Automatic_scale
+  /// Leaves out the outliers, and normals that are wrong. \param for_each see Automatic_scale
   template <class For_each>
   void leave_out_outliers(const For_each& for_each)
   {
-    for (int pass = 0; pass < 2; ++pass) { // in the second they hide no others
-      m_outliers = outliers(cloud(), m_search, for_each);
-      m_search.leave_out(m_outliers);
-    }
+    const Outliers found = outliers(cloud(), m_search, for_each);
+    if (number_of(found.points) > 0) m_outliers = found.points;
+    m_search.leave_out(m_outliers);
+    m_wrong_normals = number_of(found.normals);
+    for (std::size_t i = 0; i < m_normals.size(); ++i)
+      if (found.normals[i]) m_normals[i] = {0, 0, 0};
   }
+  /// Those that are left out.
+  std::size_t wrong_normals() const { return m_wrong_normals; }
 
   const Search& search() const { return m_search; }
   /// How many units one length is.
@@ -95,6 +112,11 @@ private:
     return per_length;
   }
 
+  static std::size_t number_of(const std::vector<char>& flags)
+  {
+    return std::size_t(std::count(flags.begin(), flags.end(), char(1)));
+  }
+
   static std::vector<Vector_3<double>> values(const Unit_normals& normals)
   {
     std::vector<Vector_3<double>> result;
@@ -106,6 +128,7 @@ private:
   double m_per_length;
   std::vector<Vector_3<double>> m_normals;
   std::vector<char> m_outliers; // flags, if they are left out
+  std::size_t m_wrong_normals = 0;
   Search m_search;
 };
 

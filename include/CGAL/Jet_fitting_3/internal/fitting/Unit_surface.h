@@ -15,7 +15,7 @@
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
+#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
@@ -71,14 +71,14 @@ public:
 
   /// \param of_mesh normals of the nodes, by the faces
   /// \param has_normals whether normals are data: then disks are round, however long edges are
-  /// \param finds_outliers whether outliers are left out: they have no edges
+  /// \param options outliers are left out unless they are kept: they have no edges
   /// \param for_each as for Surface_choice
-  template <class Tables, class For_each = averaging::One_after_the_other>
-  Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals, bool finds_outliers = false,
-               const For_each& for_each = For_each())
+  template <class Tables, class For_each>
+  Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals, const Options& options,
+               const For_each& for_each)
     : m_points(points(tables)), m_surface{m_points, m_normals, Edges{&tables.adjacency}, m_units}
   {
-    if (finds_outliers) leave_out_outliers(tables.adjacency, for_each);
+    if (!options.keep_outliers) leave_out_outliers(tables.adjacency, for_each);
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
@@ -140,7 +140,6 @@ private:
   {
     m_outliers = outlying_vertices(m_points, adjacency, for_each);
     if (std::none_of(m_outliers.begin(), m_outliers.end(), [](char flag) { return flag; })) return;
-    check_outliers_are_few(m_outliers, "vertices");
     m_without_outliers =
         adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; });
     m_surface.neighbors = Edges{&m_without_outliers};

@@ -26,8 +26,10 @@ inline void check_options_for_automatic(const Options& options, double per_lengt
   if (options.weights_by_distance() || !options.point_weights.empty())
     throw Invalid_input("automatic() chooses among plain least squares fits: no weights");
   if (options.loss != Loss::least_squares && options.loss != Loss::tukey)
-    throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss but Loss::tukey, which "
-                        "leaves out outliers first");
+    throw Invalid_input("automatic() chooses among plain least squares fits: no robust loss but Loss::tukey, for "
+                        "it leaves out outliers first");
+  if (options.loss == Loss::tukey && options.keep_outliers)
+    throw Invalid_input("automatic() with Loss::tukey leaves out outliers: keep_outliers must not be set");
   if (options.standard_errors)
     throw Invalid_input("automatic() reports a bias and a variance of its own: standard_errors must not be set");
   if (options.use_normals) check_noise_with_normals(options);

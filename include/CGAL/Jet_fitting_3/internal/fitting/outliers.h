@@ -9,14 +9,15 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/averaging/far_differences.h>
 #include <CGAL/Jet_fitting_3/estimation.h>
-#include <CGAL/Jet_fitting_3/internal/fitting/check_outliers_are_few.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/robust_quadric.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/surface/jet_geometry.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,38 +38,42 @@ inline Vector_3<double> unit_normal_at(const Jet<double>& jet, const Basis_3<dou
   return scale::unit_vector(axes.z - there(1, 0) * axes.x - there(0, 1) * axes.y);
 }
 
-/// Whether a fit of degree 2 with the loss of Tukey leaves no weight to the height of the first sample, or its normal
-/// is as far from that of the fit there: 4.685 robust standard deviations, and a millionth of the radius or of a
-/// radian, which rounding errors do not reach.
-/// \param normals of the samples, or none
-/// \param radius which the samples are within
-template <class Solver>
-bool is_first_outlier(Samples<double>& samples, const std::vector<Vector_3<double>>& normals, double radius,
-                      Solver& solver)
+/// How far the normals of samples are from that of a fit there, in radians where they are near.
+inline std::vector<double> tilts(const Local_estimate<double>& e, const Samples<double>& samples,
+                                 const std::vector<Vector_3<double>>& normals)
 {
-  constexpr double rounding = 1e-6,
-                   most = 4.685 / 1.1774; // medians of the length of a vector with two normal components
-  const Samples<double> offsets = samples;
-  const Local_estimate<double> e = robust_quadric(samples, solver);
-  if (e.fit.robust_weights[0] == 0 && std::abs(e.fit.jet(0, 0)) > rounding * radius) return true;
-  std::vector<double> residuals;
+  std::vector<double> result;
   for (std::size_t k = 0; k < normals.size(); ++k) {
-    const Vector_3<double> n = unit_normal_at(e.fit.jet, e.fitting.axes, offsets[k]);
-    residuals.push_back(std::sqrt(2 - 2 * std::min(1., std::abs(dot(n, normals[k])))));
+    const Vector_3<double> n = unit_normal_at(e.fit.jet, e.fitting.axes, samples[k]);
+    result.push_back(std::sqrt(2 - 2 * std::min(1., std::abs(dot(n, normals[k])))));
   }
-  if (residuals.empty()) return false;
-  const double of_first = residuals[0];
-  return of_first > std::max(most * scale::median(residuals), rounding);
+  return result;
 }
 
-/// The same of point i and its neighbors. \param near those within a radius, i among them
-template <class Solver>
-bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size_t i, double radius, Solver& solver)
+/// How far points are from the surface of their neighbors, and whether that is as far as noise hardly ever is.
+struct Beside_neighbors
 {
+  std::vector<double> heights, tilts; ///< negative where nothing is known
+  std::vector<char> are_high, are_tilted;
+
+  explicit Beside_neighbors(std::size_t size) : heights(size, -1), tilts(size, -1), are_high(size), are_tilted(size) {}
+};
+
+/// Looks at point i beside a fit of degree 2 to it and the others, with the loss of Tukey unless the point is as near
+/// to a plain one as most are. Far is what leaves it no weight, or a normal that is as far from that of the fit there:
+/// 4.685 robust standard deviations, and a millionth of the radius or of a radian, which rounding errors do not reach.
+/// \param near the samples within the radius, i among them
+template <class Solver>
+void look_at(const scale::Cloud& cloud, const scale::Indices& near, std::size_t i, double radius, Solver& solver,
+             Beside_neighbors& beside)
+{
+  constexpr double rounding = 1e-6, deviations = 4.685, median_of_two_components = 1.1774, beside_plain = 1.3;
+  beside.heights[i] = beside.tilts[i] = -1;
+  beside.are_high[i] = beside.are_tilted[i] = false;
   scale::Indices all{i};
   std::copy_if(near.begin(), near.end(), std::back_inserter(all),
                [&](std::size_t j) { return j != i && cloud.is_sample(j); });
-  if (all.size() < number_of_jet_coefficients(2)) return false;
+  if (all.size() < number_of_jet_coefficients(2)) return;
   Samples<double> samples;
   std::vector<Vector_3<double>> normals;
   samples.resize(all.size());
@@ -76,26 +81,114 @@ bool is_outlier(const scale::Cloud& cloud, const scale::Indices& near, std::size
     samples.set(k, cloud.points[all[k]] - cloud.points[i]);
     if (cloud.is_sample(i) && cloud.has_normals()) normals.push_back(cloud.normals[all[k]]);
   }
-  return is_first_outlier(samples, normals, radius, solver);
+  Local_estimate<double> e = quadric(samples, Loss::least_squares, solver);
+  const double most = beside_plain * std::abs(e.residuals[0]); // where nothing is noise Tukey's loss may follow a few
+  std::vector<double> tilted = tilts(e, samples, normals);
+  if (is_first_large(e.residuals, deviation_per_median) || is_first_large(tilted, 1 / median_of_two_components)) {
+    e = quadric(samples, Loss::tukey, solver);
+    tilted = tilts(e, samples, normals);
+    beside.are_high[i] = e.fit.robust_weights[0] == 0 && std::abs(e.residuals[0]) > rounding * radius;
+    beside.are_tilted[i] = is_first_large(tilted, deviations / median_of_two_components) && tilted[0] > rounding;
+  }
+  beside.heights[i] = std::min(std::abs(e.residuals[0]), most);
+  if (!tilted.empty()) beside.tilts[i] = tilted[0];
 }
 
-/// Which points a robust fit to the least_neighbors nearest leaves no weight: one flag each. Of 3000 points of a torus
-/// without outliers, up to 3.
-/// \param within, for_each see Automatic_scale
-/// \throw Invalid_input if there are too few points, or these are more than half of them
-template <class Within, class For_each>
-std::vector<char> outliers(const scale::Cloud& cloud, const Within& within, const For_each& for_each)
+/// Those that have some points among their nearest.
+/// \param radii of the balls that hold these
+template <class Within>
+scale::Indices around(const scale::Cloud& cloud, const Within& within, const std::vector<double>& radii,
+                      const scale::Indices& points)
 {
-  const scale::Indices all = scale::spread_indices(cloud.size, 1);
-  const std::vector<double> radii = scale::radii_of_least_neighbors(cloud, within, all);
-  std::vector<char> result(cloud.size);
-  for_each(cloud.size, [&](std::size_t i) {
-    scale::Indices near;
+  std::vector<char> are_near(cloud.size);
+  scale::Indices near, result;
+  for (const std::size_t i : points) {
+    within(i, 2 * radii[i], near); // the radius of a neighbor may be larger
+    for (const std::size_t j : near) {
+      const Vector_3<double> d = cloud.points[j] - cloud.points[i];
+      if (dot(d, d) <= radii[j] * radii[j]) are_near[j] = true;
+    }
+  }
+  for (std::size_t i = 0; i < cloud.size; ++i)
+    if (are_near[i]) result.push_back(i);
+  return result;
+}
+
+/// Those of some points that are far, and differ so many times as much as seven tenths of their neighbors. Where many
+/// differ, as where two sheets or terraces are near each other, that is the surface.
+/// \param differences from the surface of their neighbors, negative where they are not known
+template <class Within>
+scale::Indices outstanding(const scale::Indices& points, const Within& within, const std::vector<double>& radii,
+                           const std::vector<double>& differences, const std::vector<char>& are_far, double times)
+{
+  constexpr double part = 0.7;
+  scale::Indices near, result;
+  for (const std::size_t i : points) {
+    if (!are_far[i]) continue;
     within(i, radii[i], near);
-    Orthogonal_solver<double> solver;
-    result[i] = (cloud.outliers && cloud.outliers[i]) || is_outlier(cloud, near, i, radii[i], solver);
-  });
-  check_outliers_are_few(result, "points");
+    near.insert(near.begin(), i);
+    if (averaging::is_far_from_nearby(differences, near, times, part)) result.push_back(i);
+  }
+  return result;
+}
+
+/// Those of balls that hold least_neighbors, or of larger ones where points lie on lines that are far from each other.
+template <class Within>
+std::vector<double> radii_of_balls(const scale::Cloud& cloud, const Within& within, const scale::Indices& points)
+{
+  std::vector<double> radii = scale::radii_of_least_neighbors(cloud, within, points);
+  const double factor = scale::density(cloud, within, scale::places_for_noise(cloud)).across_lines;
+  for (double& radius : radii) radius *= factor;
+  return radii;
+}
+
+/// One flag for each point.
+struct Outliers
+{
+  std::vector<char> points;  ///< those that are far from the surface of their neighbors
+  std::vector<char> normals; ///< others whose normal is far from that of the surface
+};
+
+/// All points are looked at, then those around outliers again, without these, which hide others. Of 6000 points with
+/// normal noise one or none differs five times as much as its neighbors; so none is taken for an outlier, and no
+/// normal, unless one of all differs seven times as much.
+/// \param within, for_each see Automatic_scale
+template <class Within, class For_each>
+Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_each& for_each)
+{
+  constexpr double far = 5, certain = 7;
+  Outliers result{std::vector<char>(cloud.size), std::vector<char>(cloud.size)};
+  const auto is_outlier = [&](std::size_t i) { return result.points[i] != 0; };
+  const auto within_others = [&](std::size_t i, double radius, scale::Indices& found) {
+    within(i, radius, found);
+    found.erase(std::remove_if(found.begin(), found.end(), is_outlier), found.end());
+  };
+  scale::Indices looked_at = scale::spread_indices(cloud.size, 1);
+  const std::vector<double> radii = radii_of_balls(cloud, within, looked_at);
+  Beside_neighbors beside(cloud.size);
+  for (int pass = 0; pass < 2; ++pass) {
+    for_each(looked_at.size(), [&](std::size_t k) {
+      const std::size_t i = looked_at[k];
+      scale::Indices near;
+      within_others(i, radii[i], near);
+      Orthogonal_solver<double> solver;
+      look_at(cloud, near, i, radii[i], solver, beside);
+    });
+    const auto found = [&](const std::vector<double>& differences, const std::vector<char>& are_far) {
+      const auto more_than = [&](double times) {
+        return outstanding(looked_at, within_others, radii, differences, are_far, times);
+      };
+      return pass == 0 && more_than(certain).empty() ? scale::Indices() : more_than(far);
+    };
+    const scale::Indices high = found(beside.heights, beside.are_high), tilted = found(beside.tilts, beside.are_tilted);
+    for (const std::size_t i : tilted) result.normals[i] = true;
+    for (const std::size_t i : high) {
+      result.points[i] = true;
+      result.normals[i] = false;
+      beside.heights[i] = beside.tilts[i] = -1;
+    }
+    looked_at = around(cloud, within_others, radii, high);
+  }
   return result;
 }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Estimated_variance.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
+#include <CGAL/Jet_fitting_3/values/Noise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +52,10 @@ inline Vector_3<double> median_point(const std::vector<Vector_3<double>>& points
   return {median_of(&Vector_3<double>::x), median_of(&Vector_3<double>::y), median_of(&Vector_3<double>::z)};
 }
 
-/// The height, over the origin, of a fit of degree 2 with the loss of Tukey.
+/// The height, over the origin, of a fit of degree 2 with the loss of Tukey; of a plain one if the origin is as near to
+/// that as most places are.
 template <class Solver>
-double robust_height(const std::vector<Vector_3<double>>& places, Solver& solver)
+double height_beside(const std::vector<Vector_3<double>>& places, Solver& solver)
 {
   Samples<double> samples;
   samples.resize(places.size() + 1);
@@ -61,7 +63,9 @@ double robust_height(const std::vector<Vector_3<double>>& places, Solver& solver
   samples.set(0, {0, 0, 0});
   samples.set_weight(0, 0);
   for (std::size_t k = 0; k < places.size(); ++k) samples.set(k + 1, places[k]);
-  return robust_quadric(samples, solver).fit.jet(0, 0);
+  const Local_estimate<double> plain = quadric(samples, Loss::least_squares, solver);
+  if (!is_first_large(plain.residuals, deviation_per_median)) return plain.residuals[0];
+  return quadric(samples, Loss::tukey, solver).residuals[0];
 }
 
 /// Looks at some vertices, by the rings around that have five times the unknowns of a robust fit. Vertices that are far
@@ -94,32 +98,48 @@ void look_at(const std::vector<std::size_t>& vertices, const averaging::Surface_
       std::copy_if(around.begin(), around.end(), std::back_inserter(near),
                    [&](const Vector_3<double>& p) { return distance(p) <= far * median_distance; });
       beside.middle[i] = distance({0, 0, 0}) / median_distance;
-      beside.surface[i] = std::abs(robust_height(near, solver)) / median_distance;
+      beside.surface[i] = std::abs(height_beside(near, solver)) / median_distance;
     };
   });
 }
 
-/// Whether a vertex differs by more than `least`, and by four times as much as seven tenths of those within two rings.
+/// Whether a vertex differs by more than `least`, and by four times as much as a part of those within two rings.
 template <class Neighbors>
 bool is_outstanding(averaging::Walker<Neighbors>& walker, const std::vector<double>& differences, std::size_t i,
-                    double least)
+                    double least, double part)
 {
+  constexpr double times = 4;
   if (!(differences[i] > least)) return false;
   std::vector<std::size_t> found, ends;
   walker.rings(i, 2, found, ends);
-  return averaging::is_far_from_nearby(differences, found, 4, 0.7);
+  return averaging::is_far_from_nearby(differences, found, times, part);
 }
 
-/// Whether vertices are far from the surface of their neighbors, or from these, while others around are not.
+/// Whether vertices are far from the surface of their neighbors, or from these, while others around are not. Of those
+/// around a corner of the surface a third may lie on sharp edges; but a corner is not far from its neighbors, and has
+/// no outliers around, of which there may be as many.
+/// \param are_beside_outliers whether some were seen around
 template <class Neighbors>
-std::vector<char> are_outstanding(averaging::Walker<Neighbors>& walker, const Beside_others& beside)
+std::vector<char> are_outstanding(averaging::Walker<Neighbors>& walker, const Beside_others& beside,
+                                  const std::vector<char>& are_beside_outliers)
 {
-  constexpr double outside = 2, rounding = 1e-6;
+  constexpr double outside = 2, rounding = 1e-6, most = 0.7, most_beside_corners = 0.85;
   const double least = (std::max)(rounding, averaging::far_from_most(beside.surface));
   std::vector<char> result(beside.surface.size());
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = is_outstanding(walker, beside.middle, i, outside) || is_outstanding(walker, beside.surface, i, least);
+    result[i] = is_outstanding(walker, beside.middle, i, outside, most) ||
+                is_outstanding(walker, beside.surface, i, least, are_beside_outliers[i] ? most : most_beside_corners);
   return result;
+}
+
+/// Whether most neighbors of a vertex would have two edges at most without it, like those of the tip of a cone.
+inline bool holds_neighbors_together(const Adjacency& adjacency, Index vertex)
+{
+  constexpr std::size_t few = 3;
+  const auto neighbors = adjacency[vertex];
+  const auto count = std::count_if(neighbors.begin(), neighbors.end(),
+                                   [&](Index neighbor) { return adjacency[neighbor].size() <= few; });
+  return 2 * std::size_t(count) > neighbors.size();
 }
 
 /// Those that were looked at with one of these vertices among the ones around.
@@ -158,12 +178,12 @@ std::vector<char> outlying_vertices(const std::vector<Vector_3<double>>& points,
   averaging::Walker<Edges_of_nodes> on_whole(whole), on_surface(surface);
   Adjacency without_outliers;
   Beside_others beside{std::vector<double>(size), std::vector<double>(size), std::vector<std::size_t>(size)};
-  std::vector<char> outliers(size), before(size);
+  std::vector<char> outliers(size), before(size), are_beside_outliers(size);
   std::vector<std::size_t> vertices(size);
   std::iota(vertices.begin(), vertices.end(), std::size_t(0));
   for (int round = 0; round < most_rounds; ++round) {
     look_at(vertices, surface, for_each, beside);
-    before = std::exchange(outliers, are_outstanding(on_surface, beside));
+    before = std::exchange(outliers, are_outstanding(on_surface, beside, are_beside_outliers));
     vertices.clear();
     for (std::size_t i = 0; i < size; ++i)
       if (outliers[i] != before[i]) vertices.push_back(i);
@@ -171,8 +191,10 @@ std::vector<char> outlying_vertices(const std::vector<Vector_3<double>>& points,
     without_outliers = adjacency.filtered([&](Index, Index neighbor) { return !outliers[neighbor]; });
     surface.neighbors = {&without_outliers};
     vertices = seen_from(on_whole, vertices, beside);
+    for (const std::size_t i : vertices) are_beside_outliers[i] = true;
   }
-  for (std::size_t i = 0; i < size; ++i) outliers[i] = outliers[i] && before[i];
+  for (std::size_t i = 0; i < size; ++i)
+    outliers[i] = outliers[i] && before[i] && !holds_neighbors_together(adjacency, Index(i));
   return outliers;
 }
 
