@@ -55,7 +55,9 @@ Noise noise_of_points(const PointRange& points, const NamedParameters& np)
   const Sample_tables<Kernel> tables(ConcurrencyTag(), std::move(read.points), read.normals);
   const Unit_normals normals = given.value_or(Unit_normals()).reordered(tables.samples.tree().numbers());
   Unit_cloud<Kernel> samples(tables, normals);
-  samples.leave_out_outliers(For_each_sample<ConcurrencyTag>());
+  const For_each_sample<ConcurrencyTag> for_each;
+  if (samples.cloud().has_normals() || shows_outliers(samples.cloud(), samples.search(), for_each))
+    samples.leave_out_outliers(for_each);
   Noise noise = in_larger_unit(scale::estimate_noise(samples.cloud(), samples.search()).noise, samples.per_length());
   noise.wrong_normals = samples.wrong_normals();
   return noise;
@@ -89,8 +91,8 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 
 /// \ingroup PkgJetFitting3Choice
 /// Estimates the noise of a point set or mesh, and of its normals if there are any, from what jets of high degree leave
-/// in small neighborhoods at about 200 places, without outliers (see automatic()). It is what automatic() goes by, and
-/// costs little beside it.
+/// in small neighborhoods at about 200 places. It is what automatic() goes by, and costs little beside it. Outliers are
+/// left out (see automatic()), those of a point set without normals if some show at 50 places.
 ///
 /// \tparam ConcurrencyTag Sequential_tag, Parallel_tag (needs TBB) or Parallel_if_available_tag. The results are the
 ///         same, bit by bit, for every tag and number of threads.

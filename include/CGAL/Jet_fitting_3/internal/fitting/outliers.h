@@ -132,14 +132,54 @@ scale::Indices outstanding(const scale::Indices& points, const Within& within, c
   return result;
 }
 
-/// Those of balls that hold least_neighbors, or of larger ones where points lie on lines that are far from each other.
+/// Of balls around some points, zero for others: those that hold least_neighbors, or larger ones where points lie on
+/// lines that are far from each other.
 template <class Within>
 std::vector<double> radii_of_balls(const scale::Cloud& cloud, const Within& within, const scale::Indices& points)
 {
-  std::vector<double> radii = scale::radii_of_least_neighbors(cloud, within, points);
+  const std::vector<double> least = scale::radii_of_least_neighbors(cloud, within, points);
   const double factor = scale::density(cloud, within, scale::places_for_noise(cloud)).across_lines;
-  for (double& radius : radii) radius *= factor;
+  std::vector<double> radii(cloud.size);
+  for (std::size_t k = 0; k < points.size(); ++k) radii[points[k]] = factor * least[k];
   return radii;
+}
+
+/// Looks at some points beside those in the balls around them.
+template <class Within, class For_each>
+void look_at(const scale::Cloud& cloud, const scale::Indices& points, const Within& within,
+             const std::vector<double>& radii, const For_each& for_each, Beside_neighbors& beside)
+{
+  for_each(points.size(), [&](std::size_t k) {
+    scale::Indices near;
+    within(points[k], radii[points[k]], near);
+    Orthogonal_solver<double> solver;
+    look_at(cloud, near, points[k], radii[points[k]], solver, beside);
+  });
+}
+
+constexpr double far_from_neighbors = 5, certainly_far = 7; ///< times as far as most of these are from theirs
+
+/// Whether points near some places are far from the surface of their neighbors for certain. Outliers that do not show
+/// there are too few to change what these places tell together.
+/// \param within, for_each see Automatic_scale
+template <class Within, class For_each>
+bool shows_outliers(const scale::Cloud& cloud, const Within& within, const For_each& for_each)
+{
+  constexpr std::size_t number_of_places = 50;
+  scale::Indices points, near;
+  const scale::Indices places =
+      scale::spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / number_of_places));
+  const std::vector<double> radii_at_places = radii_of_balls(cloud, within, places);
+  for (const std::size_t i : places) {
+    within(i, radii_at_places[i], near);
+    points.insert(points.end(), near.begin(), near.end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const std::vector<double> radii = radii_of_balls(cloud, within, points);
+  Beside_neighbors beside(cloud.size);
+  look_at(cloud, points, within, radii, for_each, beside);
+  return !outstanding(points, within, radii, beside.heights, beside.are_high, certainly_far).empty();
 }
 
 /// One flag for each point.
@@ -156,7 +196,6 @@ struct Outliers
 template <class Within, class For_each>
 Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_each& for_each)
 {
-  constexpr double far = 5, certain = 7;
   Outliers result{std::vector<char>(cloud.size), std::vector<char>(cloud.size)};
   const auto is_outlier = [&](std::size_t i) { return result.points[i] != 0; };
   const auto within_others = [&](std::size_t i, double radius, scale::Indices& found) {
@@ -167,18 +206,12 @@ Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_eac
   const std::vector<double> radii = radii_of_balls(cloud, within, looked_at);
   Beside_neighbors beside(cloud.size);
   for (int pass = 0; pass < 2; ++pass) {
-    for_each(looked_at.size(), [&](std::size_t k) {
-      const std::size_t i = looked_at[k];
-      scale::Indices near;
-      within_others(i, radii[i], near);
-      Orthogonal_solver<double> solver;
-      look_at(cloud, near, i, radii[i], solver, beside);
-    });
+    look_at(cloud, looked_at, within_others, radii, for_each, beside);
     const auto found = [&](const std::vector<double>& differences, const std::vector<char>& are_far) {
       const auto more_than = [&](double times) {
         return outstanding(looked_at, within_others, radii, differences, are_far, times);
       };
-      return pass == 0 && more_than(certain).empty() ? scale::Indices() : more_than(far);
+      return pass == 0 && more_than(certainly_far).empty() ? scale::Indices() : more_than(far_from_neighbors);
     };
     const scale::Indices high = found(beside.heights, beside.are_high), tilted = found(beside.tilts, beside.are_tilted);
     for (const std::size_t i : tilted) result.normals[i] = true;
