@@ -9,13 +9,12 @@
 
 #include <CGAL/license/Jet_fitting_3.h>
 
+#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/averaging/Edge_stretch.h>
-#include <CGAL/Jet_fitting_3/averaging/One_after_the_other.h>
 #include <CGAL/Jet_fitting_3/averaging/connected_components.h>
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
-#include <CGAL/Jet_fitting_3/Options.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>

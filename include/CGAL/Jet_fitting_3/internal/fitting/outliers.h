@@ -132,13 +132,19 @@ scale::Indices outstanding(const scale::Indices& points, const Within& within, c
   return result;
 }
 
-/// Of balls around some points, zero for others: those that hold least_neighbors, or larger ones where points lie on
-/// lines that are far from each other.
+/// The factor of radii that scale::Density has for points on lines that are far from each other.
 template <class Within>
-std::vector<double> radii_of_balls(const scale::Cloud& cloud, const Within& within, const scale::Indices& points)
+double across_lines(const scale::Cloud& cloud, const Within& within)
+{
+  return scale::density(cloud, within, scale::places_for_noise(cloud)).across_lines;
+}
+
+/// Of balls around some points, zero for others: those that hold least_neighbors, times a factor.
+template <class Within>
+std::vector<double> radii_of_balls(const scale::Cloud& cloud, const Within& within, const scale::Indices& points,
+                                   double factor)
 {
   const std::vector<double> least = scale::radii_of_least_neighbors(cloud, within, points);
-  const double factor = scale::density(cloud, within, scale::places_for_noise(cloud)).across_lines;
   std::vector<double> radii(cloud.size);
   for (std::size_t k = 0; k < points.size(); ++k) radii[points[k]] = factor * least[k];
   return radii;
@@ -169,14 +175,15 @@ bool shows_outliers(const scale::Cloud& cloud, const Within& within, const For_e
   scale::Indices points, near;
   const scale::Indices places =
       scale::spread_indices(cloud.size, std::max<std::size_t>(1, cloud.size / number_of_places));
-  const std::vector<double> radii_at_places = radii_of_balls(cloud, within, places);
+  const double factor = across_lines(cloud, within);
+  const std::vector<double> radii_at_places = radii_of_balls(cloud, within, places, factor);
   for (const std::size_t i : places) {
     within(i, radii_at_places[i], near);
     points.insert(points.end(), near.begin(), near.end());
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  const std::vector<double> radii = radii_of_balls(cloud, within, points);
+  const std::vector<double> radii = radii_of_balls(cloud, within, points, factor);
   Beside_neighbors beside(cloud.size);
   look_at(cloud, points, within, radii, for_each, beside);
   return !outstanding(points, within, radii, beside.heights, beside.are_high, certainly_far).empty();
@@ -203,7 +210,7 @@ Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_eac
     found.erase(std::remove_if(found.begin(), found.end(), is_outlier), found.end());
   };
   scale::Indices looked_at = scale::spread_indices(cloud.size, 1);
-  const std::vector<double> radii = radii_of_balls(cloud, within, looked_at);
+  const std::vector<double> radii = radii_of_balls(cloud, within, looked_at, across_lines(cloud, within));
   Beside_neighbors beside(cloud.size);
   for (int pass = 0; pass < 2; ++pass) {
     look_at(cloud, looked_at, within_others, radii, for_each, beside);
