@@ -948,6 +948,106 @@ void third_order(double noise, bool with_normals)
   check_le(error, 1.2 * best, "error of the third order over that of the best fixed neighborhood");
 }
 
+// A cylinder of radius 1 and length 2 with its two caps, evenly; the noise is along the normals.
+struct Capped_cylinder
+{
+  std::vector<Oriented> points;
+  std::vector<std::size_t> face; ///< of each: 0 is the side
+  std::vector<double> to_edge;   ///< how far each is from the nearest edge
+
+  Capped_cylinder(std::size_t n, double noise)
+  {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::normal_distribution<double> normal;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double turn = 2 * std::acos(-1.) * uniform(random), which = 3 * uniform(random);
+      const Kernel::Vector_3 outwards(std::cos(turn), std::sin(turn), 0);
+      const double z = 2 * uniform(random) - 1, r = std::sqrt(uniform(random)), cap = which < 2.5 ? 1 : -1;
+      const bool is_on_side = which < 2;
+      const Kernel::Vector_3 n_there = is_on_side ? outwards : Kernel::Vector_3(0, 0, cap);
+      const Kernel::Point_3 foot = is_on_side ? Kernel::Point_3(outwards.x(), outwards.y(), z)
+                                              : Kernel::Point_3(r * outwards.x(), r * outwards.y(), cap);
+      points.emplace_back(foot + noise * normal(random) * n_there, n_there);
+      face.push_back(is_on_side ? 0 : cap > 0 ? 1 : 2);
+      to_edge.push_back(is_on_side ? 1 - std::abs(z) : 1 - r);
+    }
+  }
+
+  /// The larger error of the two curvatures, of some points.
+  double error(const Form& form, std::size_t i) const
+  {
+    const double low = std::min(form.principal_curvatures(0), form.principal_curvatures(1)),
+                 high = std::max(form.principal_curvatures(0), form.principal_curvatures(1));
+    if (face[i] > 0) return std::max(std::abs(low), std::abs(high));
+    const bool is_outwards = form.normal_direction() * points[i].second > 0;
+    return is_outwards ? std::max(std::abs(low + 1), std::abs(high)) : std::max(std::abs(low), std::abs(high - 1));
+  }
+};
+
+// Of errors, 80 % are smaller.
+double most(std::vector<double> errors)
+{
+  std::sort(errors.begin(), errors.end());
+  return errors[4 * errors.size() / 5];
+}
+
+// Neighborhoods end at sharp edges: near these, forms are almost as good as if their face were alone.
+void sharp_edges(double noise, bool normals)
+{
+  const Capped_cylinder cylinder(3000, noise);
+  jets::Options options = normals ? with_normals() : jets::Options();
+  const double near = 0.3; // five times as far as neighbors are
+  const auto errors = [&](const std::vector<Oriented>& points, const std::vector<std::size_t>& numbers) {
+    const auto np = CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Oriented>());
+    std::vector<Form> forms;
+    if (normals) forms = forms_of(points, jets::automatic(), 4, options);
+    else CGAL::estimate_point_monge_forms(points, jets::automatic(), std::back_inserter(forms), np, options);
+    check_equal(forms.size(), points.size(), "all points have forms");
+    std::vector<double> result;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (cylinder.to_edge[numbers[k]] < near) result.push_back(cylinder.error(forms[k], numbers[k]));
+    return result;
+  };
+  std::vector<double> alone;
+  for (std::size_t f = 0; f < 3; ++f) {
+    std::vector<Oriented> of_face;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < cylinder.points.size(); ++i) {
+      if (cylinder.face[i] != f) continue;
+      of_face.push_back(cylinder.points[i]);
+      numbers.push_back(i);
+    }
+    const std::vector<double> there = errors(of_face, numbers);
+    alone.insert(alone.end(), there.begin(), there.end());
+  }
+  std::vector<std::size_t> all(cylinder.points.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  const double found = most(errors(cylinder.points, all));
+  options.cross_sharp_edges = true;
+  const double across = most(errors(cylinder.points, all));
+  std::cout << "sharp edges, noise " << noise << (normals ? ", normals" : "") << ": " << found << ", across " << across
+            << ", faces alone " << most(alone) << std::endl;
+  check_le(found, 3 * most(alone), "errors near edges over those of faces alone");
+  if (!normals) check_ge(across, 20 * found, "errors of neighborhoods that go across");
+}
+
+// A surface without edges has none, curved as it may be for the spacing of its points: nothing changes.
+void no_sharp_edges()
+{
+  for (const double noise : {0., 0.02, 0.2}) {
+    const Cloud torus = noisy_torus(800, noise);
+    jets::Options across;
+    across.cross_sharp_edges = true;
+    const std::vector<Form> forms = forms_of(torus.points, jets::automatic(), 4),
+                            crossing = forms_of(torus.points, jets::automatic(), 4, across);
+    bool are_same = true;
+    for (std::size_t i = 0; i < forms.size(); ++i)
+      are_same = are_same && forms[i].coefficients() == crossing[i].coefficients();
+    check_equal(are_same, true, "forms of a torus of 800 points with noise " + std::to_string(noise));
+  }
+}
+
 void misuse()
 {
   const Cloud cloud = noisy_torus(1000, 0.005);
@@ -1001,6 +1101,9 @@ int main()
   shapes_without_outliers();
   for (const double noise : {.003, .01})
     for (const bool with_normals : {false, true}) third_order(noise, with_normals);
+  for (const double noise : {0., .008})
+    for (const bool normals : {false, true}) sharp_edges(noise, normals);
+  no_sharp_edges();
   misuse();
   return result();
 }

@@ -163,6 +163,8 @@ public:
       ("robust", word("loss", "none"), "to outliers, where radius and degree are given: none, absolute, huber, cauchy, "
                                        "tukey; needs some five times the points that the fit needs at least")
       ("keep-outliers", "where radius and degree are not given, outliers are left out: no, they are data like others")
+      ("cross-sharp-edges", "where radius and degree are not given, neighborhoods of points end at sharp edges: no, "
+                            "they go across")
       ("errors", "standard errors of all coefficients, among the quantities")
       ("no-quality", "neither condition numbers nor residuals, which take half as long as the fits; ridges need them")
       ("lower-degree", "where the points do not suffice for degree d, fit a lower one instead of skipping the vertex");
@@ -344,6 +346,7 @@ private:
     a.options.standard_errors = given.count("errors") != 0 || a.ridge_options.significance > 0;
     a.options.lower_degree = given.count("lower-degree") != 0;
     a.options.keep_outliers = given.count("keep-outliers") != 0;
+    a.options.cross_sharp_edges = given.count("cross-sharp-edges") != 0;
     a.options.report_quality = given.count("no-quality") == 0 || a.finds_ridges; // which tells zeros by it
   }
 

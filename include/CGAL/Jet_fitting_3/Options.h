@@ -103,6 +103,10 @@ struct Options : Fit_options
   /// With automatic(): outliers (Status_flag::outlier) are data like others, and have forms.
   bool keep_outliers = false;
 
+  /// With automatic() on a point set: neighborhoods go across the sharp edges that it finds; otherwise they end there.
+  /// Of no effect on a mesh, whose sharp edges `edge_is_constrained_map` tells.
+  bool cross_sharp_edges = false;
+
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as
   /// long as the fits. Standard errors are kept whenever they are asked for.
   bool report_quality = false;

@@ -88,11 +88,12 @@ private:
                  (std::min)(degrees.highest, scale::highest_nested_degree), degrees.order, degrees.highest);
   }
 
-  /// Without outliers, unless they are kept.
+  /// Without outliers, unless they are kept, and cut at sharp edges, unless neighborhoods go across.
   template <class ConcurrencyTag>
   scale::Cloud cloud(const Options& options)
   {
     if (!options.keep_outliers) m_cloud.leave_out_outliers(For_each_sample<ConcurrencyTag>());
+    if (!options.cross_sharp_edges) m_cloud.keep_to_sides(For_each_sample<ConcurrencyTag>());
     return m_cloud.cloud();
   }
 

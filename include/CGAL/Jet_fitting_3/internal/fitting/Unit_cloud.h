@@ -17,6 +17,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
+#include <CGAL/Jet_fitting_3/scale/link_points.h>
 #include <CGAL/Jet_fitting_3/scale/near_copies.h>
 
 #include <algorithm>
@@ -73,13 +74,20 @@ public:
   template <class For_each>
   void leave_out_outliers(const For_each& for_each)
   {
-    const Outliers found = outliers(cloud(), m_search, for_each);
+    const Outliers found = outliers(cloud(), m_search, least_radii(), for_each);
     if (number_of(found.points) > 0) m_outliers = found.points;
     m_search.leave_out(m_outliers);
     m_wrong_normals = number_of(found.normals);
     for (std::size_t i = 0; i < m_normals.size(); ++i)
       if (found.normals[i]) m_normals[i] = {0, 0, 0};
   }
+  /// Leaves out, from then on, as neighbors of a sample those beyond a sharp edge. \param for_each see Automatic_scale
+  template <class For_each>
+  void keep_to_sides(const For_each& for_each)
+  {
+    m_search.keep_to_sides(scale::link_points(cloud(), m_search, least_radii(), for_each));
+  }
+
   /// Those that are left out.
   std::size_t wrong_normals() const { return m_wrong_normals; }
 
@@ -88,6 +96,15 @@ public:
   double per_length() const { return m_per_length; }
 
 private:
+  /// Of balls around all samples that hold the least neighbors, outliers among them.
+  const std::vector<double>& least_radii()
+  {
+    if (m_least_radii.empty())
+      m_least_radii =
+          radii_of_balls(cloud(), m_search, scale::spread_indices(m_places.size(), 1), across_lines(cloud(), m_search));
+    return m_least_radii;
+  }
+
   static std::vector<Vector_3<double>> offsets_from_middle(const Tables& tables)
   {
     std::vector<Vector_3<double>> result(tables.size());
@@ -129,6 +146,7 @@ private:
   std::vector<Vector_3<double>> m_normals;
   std::vector<char> m_outliers; // flags, if they are left out
   std::size_t m_wrong_normals = 0;
+  std::vector<double> m_least_radii; // once they are asked for
   Search m_search;
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
+#include <CGAL/Jet_fitting_3/scale/points_around.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
 #include <CGAL/Jet_fitting_3/surface/jet_geometry.h>
 #include <CGAL/Jet_fitting_3/values/Noise.h>
@@ -92,26 +93,6 @@ void look_at(const scale::Cloud& cloud, const scale::Indices& near, std::size_t 
   }
   beside.heights[i] = std::min(std::abs(e.residuals[0]), most);
   if (!tilted.empty()) beside.tilts[i] = tilted[0];
-}
-
-/// Those that have some points among their nearest.
-/// \param radii of the balls that hold these
-template <class Within>
-scale::Indices around(const scale::Cloud& cloud, const Within& within, const std::vector<double>& radii,
-                      const scale::Indices& points)
-{
-  std::vector<char> are_near(cloud.size);
-  scale::Indices near, result;
-  for (const std::size_t i : points) {
-    within(i, 2 * radii[i], near); // the radius of a neighbor may be larger
-    for (const std::size_t j : near) {
-      const Vector_3<double> d = cloud.points[j] - cloud.points[i];
-      if (dot(d, d) <= radii[j] * radii[j]) are_near[j] = true;
-    }
-  }
-  for (std::size_t i = 0; i < cloud.size; ++i)
-    if (are_near[i]) result.push_back(i);
-  return result;
 }
 
 /// Those of some points that are far, and differ so many times as much as seven tenths of their neighbors. Where many
@@ -199,9 +180,10 @@ struct Outliers
 /// All points are looked at, then those around outliers again, without these, which hide others. Of 6000 points with
 /// normal noise one or none differs five times as much as its neighbors; so none is taken for an outlier, and no
 /// normal, unless one of all differs seven times as much.
-/// \param within, for_each see Automatic_scale
+/// \param radii radii_of_balls() around all \param within, for_each see Automatic_scale
 template <class Within, class For_each>
-Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_each& for_each)
+Outliers outliers(const scale::Cloud& cloud, const Within& within, const std::vector<double>& radii,
+                  const For_each& for_each)
 {
   Outliers result{std::vector<char>(cloud.size), std::vector<char>(cloud.size)};
   const auto is_outlier = [&](std::size_t i) { return result.points[i] != 0; };
@@ -210,7 +192,6 @@ Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_eac
     found.erase(std::remove_if(found.begin(), found.end(), is_outlier), found.end());
   };
   scale::Indices looked_at = scale::spread_indices(cloud.size, 1);
-  const std::vector<double> radii = radii_of_balls(cloud, within, looked_at, across_lines(cloud, within));
   Beside_neighbors beside(cloud.size);
   for (int pass = 0; pass < 2; ++pass) {
     look_at(cloud, looked_at, within_others, radii, for_each, beside);
@@ -227,7 +208,7 @@ Outliers outliers(const scale::Cloud& cloud, const Within& within, const For_eac
       result.normals[i] = false;
       beside.heights[i] = beside.tilts[i] = -1;
     }
-    looked_at = around(cloud, within_others, radii, high);
+    looked_at = scale::points_around(cloud, within_others, radii, high);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
+#include <CGAL/Jet_fitting_3/scale/Linked_points.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,6 +48,9 @@ public:
       if (samples[i]) m_left_out[i] = 1;
   }
 
+  /// Leaves out, too, what is beyond a sharp edge from the sample.
+  void keep_to_sides(scale::Linked_points samples) { m_links = std::move(samples); }
+
   /// Replaces `found` by the sample and those of its side in the ball, in the order of their coordinates.
   void operator()(std::size_t sample, double radius, Indices& found) const
   {
@@ -59,6 +63,7 @@ public:
       const auto is_left_out = [this](std::size_t k) { return m_left_out[k] != 0; };
       found.erase(std::remove_if(found.begin(), found.end(), is_left_out), found.end());
     }
+    m_links.keep_side(sample, found);
     const std::lock_guard<Spin_mutex> lock(m_mutex);
     m_idle.push_back(std::move(search));
   }
@@ -92,6 +97,7 @@ private:
   const Sample_set<Number>& m_samples;
   double m_per_length;
   std::vector<char> m_left_out;
+  scale::Linked_points m_links;
   mutable Spin_mutex m_mutex;
   mutable std::vector<std::unique_ptr<Search>> m_idle;
 };
