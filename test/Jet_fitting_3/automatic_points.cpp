@@ -974,7 +974,7 @@ struct Capped_cylinder
     }
   }
 
-  /// The larger error of the two curvatures, of some points.
+  /// The larger error of the two curvatures of a point.
   double error(const Form& form, std::size_t i) const
   {
     const double low = std::min(form.principal_curvatures(0), form.principal_curvatures(1)),

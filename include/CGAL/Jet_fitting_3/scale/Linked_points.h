@@ -35,6 +35,14 @@ struct Linked_points
   bool has_edges() const { return !begins.empty(); }
   bool may_be_on_either_side(std::size_t i) const { return start[i] != i; }
 
+  Indices points_at_edges() const
+  {
+    Indices result;
+    for (std::size_t i = 0; i < are_at_edges.size(); ++i)
+      if (are_at_edges[i]) result.push_back(i);
+    return result;
+  }
+
   /// Leaves the points on the side of one of them: those that are reached by two links from others, so that a wrong one
   /// does not lead across an edge; or, if these are an island, by one link; or all.
   /// \param near the points in a ball around it, itself not if it is nobody's neighbor

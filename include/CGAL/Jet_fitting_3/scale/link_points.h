@@ -215,8 +215,9 @@ Linked_points link_points(const Cloud& cloud, const Within& within, const std::v
   std::vector<Quadric_around> quadrics(cloud.size);
   std::vector<Side_of_point> sides(cloud.size);
   Linked_points linked;
-  Indices changed = spread_indices(cloud.size, 1);
   for (int pass = 0; pass < passes; ++pass) {
+    Indices changed =
+        pass == 0 ? spread_indices(cloud.size, 1) : points_around(cloud, within, radii, linked.points_at_edges());
     for_each(changed.size(), [&](std::size_t n) {
       const std::size_t i = changed[n];
       Indices near;
@@ -236,10 +237,6 @@ Linked_points link_points(const Cloud& cloud, const Within& within, const std::v
                                             : have_two_sides(cloud, within, least, radii, quadrics, sides, for_each);
     linked = links_of_sides(cloud, within, least, quadrics, sides, two_sides, for_each);
     if (!linked.has_edges()) break;
-    changed.clear();
-    for (std::size_t i = 0; i < cloud.size; ++i)
-      if (linked.are_at_edges[i]) changed.push_back(i);
-    changed = points_around(cloud, within, radii, changed);
   }
   return linked;
 }
