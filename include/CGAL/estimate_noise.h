@@ -92,8 +92,9 @@ CGAL_JET_FITTING_3_BEGIN_NATIVE
 /// \ingroup PkgJetFitting3Choice
 /// Estimates the noise of a point set or mesh, and of its normals if there are any, from what jets of high degree leave
 /// in small neighborhoods at about 200 places. It is what automatic() goes by, and costs little beside it. Outliers are
-/// left out (see automatic()), those of a point set without normals if some show at 50 places. Sharp edges of a point
-/// set are not, other than by automatic(): where most balls of 45 points hold one, they count as noise.
+/// left out (see automatic()), those of a point set without normals if some show at 50 places. At sharp edges of a mesh
+/// neighborhoods end as those of automatic(); on a point set they do not: where most balls of 45 points hold an edge,
+/// it counts as noise.
 ///
 /// \tparam ConcurrencyTag Sequential_tag, Parallel_tag (needs TBB) or Parallel_if_available_tag. The results are the
 ///         same, bit by bit, for every tag and number of threads.

@@ -641,6 +641,140 @@ void sharp_tips()
   }
 }
 
+// Two sheets of cylinders of radius 1 that meet at 90 degrees, in a grid whose columns are along the edge: one of them
+// on it, or the edge between two.
+struct Folded_sheet
+{
+  static constexpr std::size_t columns = 20, rows = 41; // of each sheet, of both
+  static constexpr double step = 0.04, pi = 3.141592653589793;
+
+  std::vector<Kernel::Point_3> points; // column after column
+  std::vector<double> from_edge;       // along the surface, negative on the left
+
+  Folded_sheet(bool has_vertices_on_edge, double noise)
+  {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal(0, noise * step);
+    for (std::size_t column = 0; column < 2 * columns; ++column) {
+      const double middle = has_vertices_on_edge ? double(columns) : double(columns) - 0.5;
+      const double s = step * (double(column) - middle), slope = pi / 4 + std::abs(s), side = s < 0 ? -1 : 1;
+      for (std::size_t row = 0; row < rows; ++row) {
+        const double radius = 1 + normal(random);
+        points.emplace_back(side * (radius * std::sin(slope) - std::sin(pi / 4)), step * double(row),
+                            radius * std::cos(slope) - std::cos(pi / 4));
+        from_edge.push_back(s);
+      }
+    }
+  }
+
+  // Of these columns, but the last.
+  Mesh mesh(std::size_t first, std::size_t last) const
+  {
+    Mesh result;
+    for (std::size_t i = first * rows; i < last * rows; ++i) result.add_vertex(points[i]);
+    const auto vertex = [](std::size_t i) { return Vertex(Mesh::size_type(i)); };
+    for (std::size_t i = 0; i + rows < (last - first) * rows; ++i) {
+      if (i % rows + 1 == rows) continue;
+      result.add_face(vertex(i), vertex(i + rows), vertex(i + rows + 1));
+      result.add_face(vertex(i), vertex(i + rows + 1), vertex(i + 1));
+    }
+    return result;
+  }
+
+  // The largest of curvatures within five edges of the sharp one, but those on it and near the border.
+  double largest_error(std::size_t first, std::size_t last, const jets::Options& options) const
+  {
+    Mesh part = mesh(first, last);
+    const auto forms = part.add_property_map<Vertex, Form>("v:form").first;
+    const auto summary =
+        CGAL::estimate_vertex_monge_forms(part, jets::automatic(), forms, parameters::default_values(), options);
+    const std::size_t outliers = summary.count(jets::Status_flag::outlier); // some where the edge ends at the border
+    check_le(double(outliers), 6, "outliers beside a sharp edge");
+    check_equal(summary.estimated + outliers, part.number_of_vertices(), "vertices beside a sharp edge");
+    double largest = 0;
+    for (const Vertex v : part.vertices()) {
+      const std::size_t i = first * rows + v, row = i % rows;
+      const double s = std::abs(from_edge[i]);
+      if (s == 0 || s > 5 * step || row < 5 || row + 5 >= rows) continue;
+      const double k1 = forms[v].principal_curvatures(0), k2 = forms[v].principal_curvatures(1);
+      largest =
+          std::max({largest, std::abs(std::max(std::abs(k1), std::abs(k2)) - 1), std::min(std::abs(k1), std::abs(k2))});
+    }
+    return largest;
+  }
+};
+
+// Neighborhoods end at sharp edges that nobody has constrained, so errors there are not much larger than those of each
+// sheet alone.
+void sharp_edges()
+{
+  constexpr std::size_t half = Folded_sheet::columns;
+  jets::Options across;
+  across.cross_sharp_edges = true;
+  for (const bool on_edge : {false, true})
+    for (const double noise : {0., 0.02, 0.1}) {
+      const Folded_sheet sheet(on_edge, noise);
+      const double found = sheet.largest_error(0, 2 * half, {}), crossing = sheet.largest_error(0, 2 * half, across);
+      const double alone =
+          std::max(sheet.largest_error(0, on_edge ? half + 1 : half, {}), sheet.largest_error(half, 2 * half, {}));
+      const std::string name = "noise " + text(noise) + (on_edge ? ", vertices on the edge: " : ": ");
+      std::cout << "sharp edge, " << name << found << ", across " << crossing << ", sheets alone " << alone
+                << std::endl;
+      check_le(found, 3 * alone, name + "errors beside a sharp edge over those of each sheet");
+      const double least = on_edge && noise == 0 ? 5 : 100; // one ring of exact vertices on an edge crosses hardly
+      check_ge(crossing, least * found, name + "errors of neighborhoods that go across");
+    }
+}
+
+// A surface without sharp edges has none: nothing changes.
+void no_sharp_edges()
+{
+  jets::Options across;
+  across.cross_sharp_edges = true;
+  for (const double noise : {0., 0.003, 0.03}) { // of edges of .15
+    Noisy_mesh noisy(torus(2, 1, 60, 30), noise), crossing(torus(2, 1, 60, 30), noise);
+    noisy.estimate(jets::automatic(), 6);
+    crossing.estimate(jets::automatic(), 6, across);
+    std::size_t different = 0;
+    for (const Vertex v : noisy.mesh.vertices())
+      different += noisy.forms[v].coefficients() != crossing.forms[v].coefficients();
+    check_equal(different, std::size_t(0), "forms of a torus that change by sharp edges, noise " + text(noise));
+  }
+}
+
+// Two lids one edge apart, so that their rim has no vertices but those on sharp edges: every vertex has a form.
+void thin_plate()
+{
+  constexpr std::size_t n = 12;
+  Mesh mesh;
+  const auto forms = mesh.add_property_map<Vertex, Form>("v:form").first;
+  std::vector<Vertex> vertices[2];
+  for (const std::size_t lid : {0, 1})
+    for (std::size_t i = 0; i < n * n; ++i)
+      vertices[lid].push_back(mesh.add_vertex(Kernel::Point_3(double(i / n), double(i % n), double(lid))));
+  for (std::size_t i = 0; i < n * n - n; ++i) {
+    if (i % n + 1 == n) continue;
+    for (const std::size_t lid : {0, 1}) {
+      const Vertex a = vertices[lid][i], b = vertices[lid][i + n], c = vertices[lid][i + n + 1],
+                   d = vertices[lid][i + 1];
+      lid == 1 ? mesh.add_face(a, b, c) : mesh.add_face(a, c, b);
+      lid == 1 ? mesh.add_face(a, c, d) : mesh.add_face(a, d, c);
+    }
+  }
+  std::vector<std::size_t> rim;
+  for (std::size_t k = 0; k + 1 < n; ++k) rim.push_back(k * n);
+  for (std::size_t k = 0; k + 1 < n; ++k) rim.push_back(n * (n - 1) + k);
+  for (std::size_t k = n - 1; k > 0; --k) rim.push_back(k * n + n - 1);
+  for (std::size_t k = n - 1; k > 0; --k) rim.push_back(k);
+  for (std::size_t k = 0; k < rim.size(); ++k) {
+    const std::size_t next = rim[(k + 1) % rim.size()];
+    mesh.add_face(vertices[0][rim[k]], vertices[0][next], vertices[1][next]);
+    mesh.add_face(vertices[0][rim[k]], vertices[1][next], vertices[1][rim[k]]);
+  }
+  const auto summary = CGAL::estimate_vertex_monge_forms(mesh, jets::automatic(), forms);
+  check_equal(summary.estimated, mesh.number_of_vertices(), "vertices with forms of a thin plate");
+}
+
 // By one thread and by all.
 void same_bits()
 {
@@ -857,6 +991,9 @@ int main()
   third_order_of_long_triangles();
   sharp_tips();
   sides();
+  sharp_edges();
+  no_sharp_edges();
+  thin_plate();
   same_bits();
   bad_vertices();
   far_vertex();

@@ -28,8 +28,9 @@ inline std::string hint_of_sharp_edges(const Mesh& mesh)
   const std::size_t sharp = count(40);
   if (100 * sharp < mesh.number_of_edges() || 4 * sharp < 3 * count(25) || 2 * count(10) > mesh.number_of_edges())
     return "";
-  return std::to_string(sharp) + " edges are sharp, as of a CAD part: the fits beside them reach across, --sharp-angle "
-                                 "auto cuts the surface there";
+  return std::to_string(sharp) +
+         " edges are sharp, as of a CAD part: --sharp-angle auto cuts the surface open there, so "
+         "that each side has forms, and ends neighborhoods also where parts are coarse";
 }
 
 } // namespace tool

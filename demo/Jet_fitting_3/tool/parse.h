@@ -163,8 +163,8 @@ public:
       ("robust", word("loss", "none"), "to outliers, where radius and degree are given: none, absolute, huber, cauchy, "
                                        "tukey; needs some five times the points that the fit needs at least")
       ("keep-outliers", "where radius and degree are not given, outliers are left out: no, they are data like others")
-      ("cross-sharp-edges", "where radius and degree are not given, neighborhoods of points end at sharp edges: no, "
-                            "they go across")
+      ("cross-sharp-edges", "where radius and degree are not given, neighborhoods end at sharp edges that are found: "
+                            "no, they go across")
       ("errors", "standard errors of all coefficients, among the quantities")
       ("no-quality", "neither condition numbers nor residuals, which take half as long as the fits; ridges need them")
       ("lower-degree", "where the points do not suffice for degree d, fit a lower one instead of skipping the vertex");

@@ -103,8 +103,8 @@ struct Options : Fit_options
   /// With automatic(): outliers (Status_flag::outlier) are data like others, and have forms.
   bool keep_outliers = false;
 
-  /// With automatic() on a point set: neighborhoods go across the sharp edges that it finds; otherwise they end there.
-  /// Of no effect on a mesh, whose sharp edges `edge_is_constrained_map` tells.
+  /// With automatic(): neighborhoods go across the sharp edges that it finds; otherwise they end there. Those that
+  /// `edge_is_constrained_map` tells of a mesh are never crossed.
   bool cross_sharp_edges = false;
 
   /// Keep the quality of every fit in the summary: see Fit_quality. The condition numbers among it take up to half as

@@ -66,6 +66,20 @@ public:
     return number;
   }
 
+  /// The vertices within a radius of the seed to which edges lead that are within it, the seed first.
+  void ball(std::size_t seed, double radius, std::vector<std::size_t>& found)
+  {
+    ++m_turn;
+    found.assign(1, seed);
+    m_seen[seed] = m_turn;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      for_neighbors(found[k], seed, [&](std::size_t v) {
+        if (!see(v)) return;
+        const Vector_3<double> d = m_surface.points[v] - m_surface.points[seed];
+        if (dot(d, d) <= radius * radius) found.push_back(v);
+      });
+  }
+
   /// Calls visit(v) for the neighbors, or a part of them where they are many.
   /// \param seed a vertex all of whose neighbors are visited
   template <class Visit>

@@ -60,12 +60,13 @@ namespace Jet_fitting {
 /// points that lie no farther inside a border than noise moves points are nobody's neighbors either, if their normals
 /// are seen to be turned outwards, as where the noise of normals goes with that of positions.
 ///
-/// Neighborhoods on a point set end at sharp edges, unless Options::cross_sharp_edges is set. Edges are found from
-/// positions: where surfaces of degree 2, of the balls that describe two near points best, have normals that differ by
-/// more than the noise and the curvature of these surfaces tell, and by .15 radians, unless a surface of degree 4
-/// describes the points on both sides about as well. Points that are nearer to an edge than the noise may be taken to
-/// be on its other side. On a mesh neighborhoods end at constrained edges (`edge_is_constrained_map`), and none is
-/// sought.
+/// Neighborhoods end at sharp edges, unless Options::cross_sharp_edges is set. Edges are found from positions: where
+/// surfaces of degree 2, of the balls that describe two near points best, have normals that differ by more than the
+/// noise and the curvature of these surfaces tell, and by .15 radians, unless a surface of degree 4 describes the
+/// points on both sides about as well. Points that are nearer to an edge than the noise may be taken to be on its other
+/// side. The sharp edges of a surface need not be edges of its mesh; a vertex on one belongs to the side that describes
+/// it best. Edges of a mesh that are constrained (`edge_is_constrained_map`) end neighborhoods besides, and a vertex on
+/// one belongs to the side with the widest angle.
 inline Automatic automatic() { return Automatic(); }
 
 } // namespace Jet_fitting

@@ -17,8 +17,8 @@
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/numeric/number.h>
 #include <CGAL/Jet_fitting_3/scale/Cloud.h>
-#include <CGAL/Jet_fitting_3/scale/link_points.h>
 #include <CGAL/Jet_fitting_3/scale/near_copies.h>
+#include <CGAL/Jet_fitting_3/scale/sides_and_links.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ public:
   template <class For_each>
   void keep_to_sides(const For_each& for_each)
   {
-    m_search.keep_to_sides(scale::link_points(cloud(), m_search, least_radii(), for_each));
+    m_search.keep_to_sides(scale::sides_and_links(cloud(), m_search, least_radii(), for_each).linked);
   }
 
   /// Those that are left out.

@@ -15,6 +15,7 @@
 #include <CGAL/Jet_fitting_3/averaging/noise_of_surface.h>
 #include <CGAL/Jet_fitting_3/averaging/tangent_planes.h>
 #include <CGAL/Jet_fitting_3/internal/Index.h>
+#include <CGAL/Jet_fitting_3/internal/fitting/edges_along_sides.h>
 #include <CGAL/Jet_fitting_3/internal/fitting/outlying_vertices.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Normal_table.h>
@@ -70,7 +71,8 @@ public:
 
   /// \param of_mesh normals of the nodes, by the faces
   /// \param has_normals whether normals are data: then disks are round, however long edges are
-  /// \param options outliers are left out unless they are kept: they have no edges
+  /// \param options outliers are left out unless they are kept: they have no edges; nor do any lead across the sharp
+  ///        edges of the surface, unless these are to be crossed
   /// \param for_each as for Surface_choice
   template <class Tables, class For_each>
   Unit_surface(const Tables& tables, const Normal_table& of_mesh, bool has_normals, const Options& options,
@@ -78,6 +80,7 @@ public:
     : m_points(points(tables)), m_surface{m_points, m_normals, Edges{&tables.adjacency}, m_units}
   {
     if (!options.keep_outliers) leave_out_outliers(tables.adjacency, for_each);
+    if (!options.cross_sharp_edges) keep_to_sides(for_each);
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
@@ -139,9 +142,23 @@ private:
   {
     m_outliers = outlying_vertices(m_points, adjacency, for_each);
     if (std::none_of(m_outliers.begin(), m_outliers.end(), [](char flag) { return flag; })) return;
-    m_without_outliers =
-        adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; });
-    m_surface.neighbors = Edges{&m_without_outliers};
+    take_edges(
+        adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; }));
+  }
+
+  template <class For_each>
+  void keep_to_sides(const For_each& for_each)
+  {
+    auto found = edges_along_sides(m_points, *m_surface.neighbors.adjacency, for_each);
+    if (!found) return;
+    m_normals_of_sides = std::move(found->normals);
+    take_edges(std::move(found->adjacency));
+  }
+
+  void take_edges(Adjacency edges)
+  {
+    m_edges = std::move(edges);
+    m_surface.neighbors = Edges{&m_edges};
   }
 
   // The given normals, and points themselves as origins: those of planes are as far beside the surface as fits from
@@ -184,7 +201,7 @@ private:
   }
 
   /// Of the mesh; unknown where an edge is so long that its faces alone have a say, and around outliers: those around
-  /// tell more.
+  /// tell more. Beside sharp edges those of the sides.
   std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency) const
   {
     constexpr double far = 1000;
@@ -194,12 +211,17 @@ private:
         const Vector_3<double> edge = m_points[v] - m_points[i];
         if (is_outlier(v) || std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
       }
+    for (Index i = 0; i < m_normals_of_sides.size(); ++i) {
+      const Vector_3<double>& of_side = m_normals_of_sides[i];
+      const double cosine = dot(of_side, result[i]);
+      if (cosine != 0) result[i] = cosine < 0 ? -of_side : of_side;
+    }
     return result;
   }
 
   std::vector<char> m_outliers; // flags, if they are left out
-  Adjacency m_without_outliers;
-  std::vector<Vector_3<double>> m_points, m_normals;
+  Adjacency m_edges;            // if some are left out
+  std::vector<Vector_3<double>> m_points, m_normals, m_normals_of_sides;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
   std::vector<std::size_t> m_components;

@@ -4,13 +4,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_JET_FITTING_3_SCALE_LINK_POINTS_H
-#define CGAL_JET_FITTING_3_SCALE_LINK_POINTS_H
+#ifndef CGAL_JET_FITTING_3_SCALE_SIDES_AND_LINKS_H
+#define CGAL_JET_FITTING_3_SCALE_SIDES_AND_LINKS_H
 
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Linked_points.h>
 #include <CGAL/Jet_fitting_3/scale/Quadric_around.h>
+#include <CGAL/Jet_fitting_3/scale/Sides_of_points.h>
 #include <CGAL/Jet_fitting_3/scale/estimate_noise.h>
+#include <CGAL/Jet_fitting_3/scale/have_two_sides.h>
 #include <CGAL/Jet_fitting_3/scale/points_around.h>
 
 #include <algorithm>
@@ -18,65 +20,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
-
-/// The surface on whose side of a sharp edge a point is, at the point.
-struct Side_of_point
-{
-  std::size_t of; ///< whose quadric it is
-  Vector_3<double> normal;
-  double deviation; ///< of points about it, per radius of its ball
-  double curvature;
-};
-
-/// How badly a quadric describes a point: the square of a length.
-inline double misfit_of(const Quadric_around& quadric, const Vector_3<double>& point)
-{
-  const double height = quadric.height(point);
-  return quadric.deviation() * quadric.deviation() + height * height / 4;
-}
-
-/// Beside a sharp edge the ball of a point holds both sides, but those of some neighbors only one: of all quadrics to
-/// balls that hold the point the one that describes it best; its own, unless that is half as good.
-/// \param near points around it, itself among them
-inline Side_of_point side_of_point(const Cloud& cloud, const std::vector<Quadric_around>& quadrics, std::size_t i,
-                                   const Indices& near)
-{
-  constexpr double half = 0.5;
-  const Vector_3<double>& point = cloud.points[i];
-  std::size_t best = i;
-  double least = quadrics[i].exists() ? half * misfit_of(quadrics[i], point) : std::numeric_limits<double>::infinity();
-  for (const std::size_t k : near) {
-    const Quadric_around& quadric = quadrics[k];
-    const Vector_3<double> d = cloud.points[k] - point;
-    if (k == i || !quadric.exists() || dot(d, d) > quadric.radius() * quadric.radius()) continue;
-    const double misfit = misfit_of(quadric, point);
-    if (!(misfit < least)) continue;
-    least = misfit;
-    best = k;
-  }
-  const Quadric_around& quadric = quadrics[best];
-  return {best, quadric.normal(point), quadric.exists() ? quadric.deviation() / quadric.radius() : 1,
-          quadric.curvature()};
-}
-
-/// Whether surfaces turn more between two points than they do by their curvature, and than noise tells, if it is small
-/// beside the ball of one.
-inline bool turns_sharply(const Cloud& cloud, const std::vector<Side_of_point>& sides, std::size_t i, std::size_t k)
-{
-  constexpr double least_angle = 0.15, per_deviation = 3, per_turn = 1.5, most_deviation = 0.125;
-  const Side_of_point &a = sides[i], &b = sides[k];
-  if (std::min(a.deviation, b.deviation) > most_deviation) return false;
-  const Vector_3<double> d = cloud.points[k] - cloud.points[i];
-  const double turn = std::min(a.curvature, b.curvature) * std::sqrt(dot(d, d));
-  const double angle = std::acos(std::min(1., std::abs(dot(a.normal, b.normal))));
-  return angle > least_angle + per_deviation * (a.deviation + b.deviation) + per_turn * turn;
-}
 
 /// Balls in which sides are told from each other: those that hold least_neighbors, where noise is no more than a
 /// fortieth of the radius; else larger ones, up to three times, as long as what they leave is noise, which does not
@@ -105,31 +55,6 @@ std::vector<double> radii_beyond_noise(const Cloud& cloud, const Within& within,
   return radii;
 }
 
-/// How far links reach, per radius of the balls that hold least_neighbors.
-constexpr double reach_of_links = 0.5;
-
-/// Where the surface turns sharply, whether degree 4, fitted to the whole ball, is not much better than degree 2 on the
-/// side of the point: else there is no edge, and the surface is only curved.
-/// \param least of balls that hold least_neighbors \param radii of those in which sides were told from each other
-template <class Within, class For_each>
-std::vector<char> have_two_sides(const Cloud& cloud, const Within& within, const std::vector<double>& least,
-                                 const std::vector<double>& radii, const std::vector<Quadric_around>& quadrics,
-                                 const std::vector<Side_of_point>& sides, const For_each& for_each)
-{
-  constexpr double much_better = 1.2;
-  std::vector<char> result(cloud.size);
-  for_each(cloud.size, [&](std::size_t i) {
-    Indices near;
-    within(i, reach_of_links * least[i], near);
-    const auto turns = [&](std::size_t k) { return k != i && turns_sharply(cloud, sides, i, k); };
-    if (std::none_of(near.begin(), near.end(), turns)) return;
-    const double of_one = residual_variances({cloud.points, nullptr, cloud.size}, within, i, radii[i], near).heights;
-    const double of_side = quadrics[sides[i].of].deviation();
-    result[i] = of_one < 0 || much_better * of_one > of_side * of_side;
-  });
-  return result;
-}
-
 /// Whether each point is on one side for certain: not if many of those that are linked to it are apart from each other,
 /// or it is linked to few of those near it.
 /// \param linked without starts \param near how many are near each point
@@ -156,13 +81,11 @@ std::vector<char> are_on_one_side(const Linked_points& linked, const std::vector
 /// Points that may be on either side start at the one near them on whose side they are described best.
 /// \return nothing if there is no edge
 template <class Within, class For_each>
-Linked_points links_of_sides(const Cloud& cloud, const Within& within, const std::vector<double>& least,
-                             const std::vector<Quadric_around>& quadrics, const std::vector<Side_of_point>& sides,
-                             const std::vector<char>& has_two_sides, const For_each& for_each)
+Linked_points links_of_sides(const Sides_of_points& sides, const Within& within, const std::vector<double>& least,
+                             const std::vector<Quadric_around>& quadrics, const For_each& for_each)
 {
-  const auto are_apart = [&](std::size_t i, std::size_t k) {
-    return (has_two_sides[i] || has_two_sides[k]) && turns_sharply(cloud, sides, i, k);
-  };
+  const Cloud& cloud = sides.cloud;
+  const auto are_apart = [&](std::size_t i, std::size_t k) { return sides.are_apart(i, k); };
   Linked_points result;
   result.are_at_edges.resize(cloud.size);
   std::vector<std::vector<std::uint32_t>> links(cloud.size);
@@ -192,7 +115,7 @@ Linked_points links_of_sides(const Cloud& cloud, const Within& within, const std
     within(i, reach_of_links * least[i], near);
     double best = std::numeric_limits<double>::infinity();
     for (const std::size_t k : near) {
-      const double misfit = is_sure[k] ? misfit_of(quadrics[sides[k].of], cloud.points[i]) : best;
+      const double misfit = is_sure[k] ? misfit_of(quadrics[sides.sides[k].of], cloud.points[i]) : best;
       if (!(misfit < best)) continue;
       best = misfit;
       result.start[i] = std::uint32_t(k);
@@ -201,20 +124,26 @@ Linked_points links_of_sides(const Cloud& cloud, const Within& within, const std
   return result;
 }
 
-/// Links points that are near each other, but not across sharp edges, which are found here: quadrics to the balls of
-/// all points are made, each point takes the one that describes it best, and where those of neighbors have different
-/// normals there is an edge; twice more, with the points on one side alone.
+/// The sides of points, and links between those near each other, but not across sharp edges.
+struct Sides_and_links
+{
+  Sides_of_points sides;
+  Linked_points linked; ///< nothing if there is no edge
+};
+
+/// Finds sharp edges: quadrics to the balls of all points are made, each point takes the one that describes it best,
+/// and where those of neighbors have different normals there is an edge; twice more, with the points on one side alone.
 /// \param least of balls that hold least_neighbors, one for each point of the cloud
 /// \param within, for_each see Automatic_scale
 template <class Within, class For_each>
-Linked_points link_points(const Cloud& cloud, const Within& within, const std::vector<double>& least,
-                          const For_each& for_each)
+Sides_and_links sides_and_links(const Cloud& cloud, const Within& within, const std::vector<double>& least,
+                                const For_each& for_each)
 {
   constexpr int passes = 3;
   const std::vector<double> radii = radii_beyond_noise(cloud, within, least);
   std::vector<Quadric_around> quadrics(cloud.size);
-  std::vector<Side_of_point> sides(cloud.size);
-  Linked_points linked;
+  Sides_and_links result{{cloud, std::vector<Side_of_point>(cloud.size)}, {}};
+  auto& [sides, linked] = result;
   for (int pass = 0; pass < passes; ++pass) {
     Indices changed =
         pass == 0 ? spread_indices(cloud.size, 1) : points_around(cloud, within, radii, linked.points_at_edges());
@@ -222,23 +151,22 @@ Linked_points link_points(const Cloud& cloud, const Within& within, const std::v
       const std::size_t i = changed[n];
       Indices near;
       within(i, radii[i], near);
-      linked.keep_side(i, near);
+      result.linked.keep_side(i, near);
       quadrics[i] = Quadric_around(cloud, near, i, radii[i]);
     });
     if (pass > 0) changed = points_around(cloud, within, radii, changed);
     for_each(changed.size(), [&](std::size_t n) {
       Indices near;
       within(changed[n], radii[changed[n]], near);
-      sides[changed[n]] = side_of_point(cloud, quadrics, changed[n], near);
+      result.sides.sides[changed[n]] = side_of_point(cloud, quadrics, changed[n], near);
     });
-    // until the last pass sides are not told well enough
-    const std::vector<char> two_sides = pass + 1 < passes
-                                            ? std::vector<char>(cloud.size, true)
-                                            : have_two_sides(cloud, within, least, radii, quadrics, sides, for_each);
-    linked = links_of_sides(cloud, within, least, quadrics, sides, two_sides, for_each);
+    sides.are_of_one_side_each = pass + 1 == passes; // until then sides are not told well enough
+    sides.have_two = sides.are_of_one_side_each ? have_two_sides(sides, within, least, radii, quadrics, for_each)
+                                                : std::vector<char>(cloud.size, true);
+    linked = links_of_sides(sides, within, least, quadrics, for_each);
     if (!linked.has_edges()) break;
   }
-  return linked;
+  return result;
 }
 
 CGAL_JET_FITTING_3_END_NATIVE
@@ -246,4 +174,4 @@ CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting
 } // namespace CGAL
 
-#endif // CGAL_JET_FITTING_3_SCALE_LINK_POINTS_H
+#endif // CGAL_JET_FITTING_3_SCALE_SIDES_AND_LINKS_H
