@@ -63,13 +63,22 @@ inline Side_of_point side_of_point(const Cloud& cloud, const std::vector<Quadric
           quadric.curvature()};
 }
 
+/// Which of the curvatures of two surfaces tells in the end how far they turn from each other without an edge. The
+/// larger one keeps surfaces whole whose points are far from each other; but of scattered points some surface beside an
+/// edge is always bent by points beyond it.
+enum class Allowed_turn
+{
+  by_smaller_curvature,
+  by_larger_curvature
+};
+
 /// On which sides of sharp edges the points of a cloud are.
 struct Sides_of_points
 {
   Cloud cloud;
   std::vector<Side_of_point> sides;
-  std::vector<char> have_two{};      ///< flags of points beside which there is an edge
-  bool are_of_one_side_each = false; ///< the surfaces: points beyond the edges do not bend them
+  std::vector<char> have_two{}; ///< flags of points beside which there is an edge
+  Allowed_turn allowed_turn = Allowed_turn::by_smaller_curvature;
 
   /// Whether surfaces turn more between two points than they do by their curvature, and than noise tells, if it is
   /// small beside the ball of one.
@@ -79,8 +88,8 @@ struct Sides_of_points
     const Side_of_point &a = sides[i], &b = sides[k];
     if (std::min(a.deviation, b.deviation) > most_deviation) return false;
     const Vector_3<double> d = cloud.points[k] - cloud.points[i];
-    const double curvature =
-        are_of_one_side_each ? std::max(a.curvature, b.curvature) : std::min(a.curvature, b.curvature);
+    const double curvature = allowed_turn == Allowed_turn::by_larger_curvature ? std::max(a.curvature, b.curvature)
+                                                                               : std::min(a.curvature, b.curvature);
     const double angle = std::acos(std::min(1., std::abs(dot(a.normal, b.normal))));
     return angle >
            least_angle + per_deviation * (a.deviation + b.deviation) + per_turn * curvature * std::sqrt(dot(d, d));

@@ -133,11 +133,12 @@ struct Sides_and_links
 
 /// Finds sharp edges: quadrics to the balls of all points are made, each point takes the one that describes it best,
 /// and where those of neighbors have different normals there is an edge; twice more, with the points on one side alone.
+/// \param in_the_end of the last pass, which alone tells sides well
 /// \param least of balls that hold least_neighbors, one for each point of the cloud
 /// \param within, for_each see Automatic_scale
 template <class Within, class For_each>
-Sides_and_links sides_and_links(const Cloud& cloud, const Within& within, const std::vector<double>& least,
-                                const For_each& for_each)
+Sides_and_links sides_and_links(const Cloud& cloud, Allowed_turn in_the_end, const Within& within,
+                                const std::vector<double>& least, const For_each& for_each)
 {
   constexpr int passes = 3;
   const std::vector<double> radii = radii_beyond_noise(cloud, within, least);
@@ -160,9 +161,10 @@ Sides_and_links sides_and_links(const Cloud& cloud, const Within& within, const 
       within(changed[n], radii[changed[n]], near);
       result.sides.sides[changed[n]] = side_of_point(cloud, quadrics, changed[n], near);
     });
-    sides.are_of_one_side_each = pass + 1 == passes; // until then sides are not told well enough
-    sides.have_two = sides.are_of_one_side_each ? have_two_sides(sides, within, least, radii, quadrics, for_each)
-                                                : std::vector<char>(cloud.size, true);
+    const bool is_last = pass + 1 == passes;
+    if (is_last) sides.allowed_turn = in_the_end;
+    sides.have_two =
+        is_last ? have_two_sides(sides, within, least, radii, quadrics, for_each) : std::vector<char>(cloud.size, true);
     linked = links_of_sides(sides, within, least, quadrics, for_each);
     if (!linked.has_edges()) break;
   }

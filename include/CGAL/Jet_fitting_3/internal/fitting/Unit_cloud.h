@@ -85,7 +85,8 @@ public:
   template <class For_each>
   void keep_to_sides(const For_each& for_each)
   {
-    m_search.keep_to_sides(scale::sides_and_links(cloud(), m_search, least_radii(), for_each).linked);
+    constexpr scale::Allowed_turn turn = scale::Allowed_turn::by_smaller_curvature;
+    m_search.keep_to_sides(scale::sides_and_links(cloud(), turn, m_search, least_radii(), for_each).linked);
   }
 
   /// Those that are left out.

@@ -49,7 +49,8 @@ std::optional<Edges_along_sides> edges_along_sides(const std::vector<Vector_3<do
   std::vector<double> least(points.size());
   for_each_vertex(least.size(), [&](std::size_t i) { least[i] = within.radius_that_holds(i, scale::least_neighbors); });
   const scale::Cloud cloud{points.data(), nullptr, points.size()};
-  const scale::Sides_and_links found = scale::sides_and_links(cloud, within, least, for_each_vertex);
+  constexpr scale::Allowed_turn turn = scale::Allowed_turn::by_larger_curvature;
+  const scale::Sides_and_links found = scale::sides_and_links(cloud, turn, within, least, for_each_vertex);
   if (!found.linked.has_edges()) return std::nullopt;
   const std::vector<std::uint32_t>& start = found.linked.start;
   const auto are_on_a_side = [&](Index node, Index neighbor) {
