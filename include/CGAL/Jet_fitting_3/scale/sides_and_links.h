@@ -16,7 +16,6 @@
 #include <CGAL/Jet_fitting_3/scale/points_around.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -144,7 +143,8 @@ Sides_and_links sides_and_links(const Cloud& cloud, Allowed_turn in_the_end, con
   const std::vector<double> radii = radii_beyond_noise(cloud, within, least);
   std::vector<Quadric_around> quadrics(cloud.size);
   Sides_and_links result{{cloud, std::vector<Side_of_point>(cloud.size)}, {}};
-  auto& [sides, linked] = result;
+  Sides_of_points& sides = result.sides;
+  Linked_points& linked = result.linked;
   for (int pass = 0; pass < passes; ++pass) {
     Indices changed =
         pass == 0 ? spread_indices(cloud.size, 1) : points_around(cloud, within, radii, linked.points_at_edges());
@@ -152,14 +152,14 @@ Sides_and_links sides_and_links(const Cloud& cloud, Allowed_turn in_the_end, con
       const std::size_t i = changed[n];
       Indices near;
       within(i, radii[i], near);
-      result.linked.keep_side(i, near);
+      linked.keep_side(i, near);
       quadrics[i] = Quadric_around(cloud, near, i, radii[i]);
     });
     if (pass > 0) changed = points_around(cloud, within, radii, changed);
     for_each(changed.size(), [&](std::size_t n) {
       Indices near;
       within(changed[n], radii[changed[n]], near);
-      result.sides.sides[changed[n]] = side_of_point(cloud, quadrics, changed[n], near);
+      sides.sides[changed[n]] = side_of_point(cloud, quadrics, changed[n], near);
     });
     const bool is_last = pass + 1 == passes;
     if (is_last) sides.allowed_turn = in_the_end;

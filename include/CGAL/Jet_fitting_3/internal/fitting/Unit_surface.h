@@ -80,12 +80,14 @@ public:
     : m_points(points(tables)), m_surface{m_points, m_normals, Edges{&tables.adjacency}, m_units}
   {
     if (!options.keep_outliers) leave_out_outliers(tables.adjacency, for_each);
-    if (!options.cross_sharp_edges) keep_to_sides(for_each);
+    std::vector<Vector_3<double>> of_sides; // normals
+    if (!options.cross_sharp_edges) of_sides = keep_to_sides(for_each);
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
-    m_normals = averaging::smoothed(averaging::filled(normals(of_mesh, tables.adjacency), m_surface.neighbors),
-                                    m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
+    m_normals =
+        averaging::smoothed(averaging::filled(normals(of_mesh, tables.adjacency, of_sides), m_surface.neighbors),
+                            m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
@@ -146,13 +148,14 @@ private:
         adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; }));
   }
 
+  /// \return normals of the sides, see Edges_along_sides, if there are any
   template <class For_each>
-  void keep_to_sides(const For_each& for_each)
+  std::vector<Vector_3<double>> keep_to_sides(const For_each& for_each)
   {
     auto found = edges_along_sides(m_points, *m_surface.neighbors.adjacency, for_each);
-    if (!found) return;
-    m_normals_of_sides = std::move(found->normals);
+    if (!found) return {};
     take_edges(std::move(found->adjacency));
+    return std::move(found->normals);
   }
 
   void take_edges(Adjacency edges)
@@ -202,7 +205,8 @@ private:
 
   /// Of the mesh; unknown where an edge is so long that its faces alone have a say, and around outliers: those around
   /// tell more. Beside sharp edges those of the sides.
-  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency) const
+  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency,
+                                        const std::vector<Vector_3<double>>& of_sides) const
   {
     constexpr double far = 1000;
     std::vector<Vector_3<double>> result = unit_vectors(of_mesh, m_points.size());
@@ -211,17 +215,16 @@ private:
         const Vector_3<double> edge = m_points[v] - m_points[i];
         if (is_outlier(v) || std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
       }
-    for (Index i = 0; i < m_normals_of_sides.size(); ++i) {
-      const Vector_3<double>& of_side = m_normals_of_sides[i];
-      const double cosine = dot(of_side, result[i]);
-      if (cosine != 0) result[i] = cosine < 0 ? -of_side : of_side;
+    for (std::size_t i = 0; i < of_sides.size(); ++i) {
+      const double cosine = dot(of_sides[i], result[i]);
+      if (cosine != 0) result[i] = cosine < 0 ? -of_sides[i] : of_sides[i];
     }
     return result;
   }
 
   std::vector<char> m_outliers; // flags, if they are left out
   Adjacency m_edges;            // if some are left out
-  std::vector<Vector_3<double>> m_points, m_normals, m_normals_of_sides;
+  std::vector<Vector_3<double>> m_points, m_normals;
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
   std::vector<std::size_t> m_components;
