@@ -186,7 +186,7 @@ std::string orient(Results& r, const Arguments& a)
                                      : std::to_string(without) + " of " + std::to_string(all_points) +
                                            " points have no normal, and those of the others orient but are not data: ";
   if (!a.orients_points) return no_normals + "their signs of k1, k2 and H are arbitrary from point to point";
-  const std::size_t oriented = orient_points(r.mesh, r.estimates.forms, a.flips);
+  const std::size_t oriented = orient_points(r.mesh, r.estimates, a.flips);
   std::string text = no_normals + "they were oriented like their neighbors";
   if (without == all_points) text += ", upwards at the top (--flip turns all over)";
   if (const std::size_t all = r.estimates.count(CGAL::Jet_fitting::Status_flag::estimated); oriented < all)

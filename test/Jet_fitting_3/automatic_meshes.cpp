@@ -648,8 +648,9 @@ struct Folded_sheet
   static constexpr std::size_t columns = 20, rows = 41; // of each sheet, of both
   static constexpr double step = 0.04, pi = 3.141592653589793;
 
-  std::vector<Kernel::Point_3> points; // column after column
-  std::vector<double> from_edge;       // along the surface, negative on the left
+  std::vector<Kernel::Point_3> points;   // column after column
+  std::vector<Kernel::Vector_3> normals; // without noise, on the edge the means of both sheets
+  std::vector<double> from_edge;         // along the surface, negative on the left
 
   Folded_sheet(bool has_vertices_on_edge, double noise)
   {
@@ -662,6 +663,7 @@ struct Folded_sheet
         const double radius = 1 + normal(random);
         points.emplace_back(side * (radius * std::sin(slope) - std::sin(pi / 4)), step * double(row),
                             radius * std::cos(slope) - std::cos(pi / 4));
+        normals.emplace_back(s == 0 ? 0 : side * std::sin(slope), 0, s == 0 ? 1 : std::cos(slope));
         from_edge.push_back(s);
       }
     }
@@ -686,8 +688,13 @@ struct Folded_sheet
   {
     Mesh part = mesh(first, last);
     const auto forms = part.add_property_map<Vertex, Form>("v:form").first;
+    const auto given = part.add_property_map<Vertex, Kernel::Vector_3>("v:normal").first;
+    for (const Vertex v : part.vertices()) given[v] = normals[first * rows + v];
     const auto summary =
-        CGAL::estimate_vertex_monge_forms(part, jets::automatic(), forms, parameters::default_values(), options);
+        options.use_normals
+            ? CGAL::estimate_vertex_monge_forms(part, jets::automatic(), forms, parameters::vertex_normal_map(given),
+                                                options)
+            : CGAL::estimate_vertex_monge_forms(part, jets::automatic(), forms, parameters::default_values(), options);
     const std::size_t outliers = summary.count(jets::Status_flag::outlier); // some where the edge ends at the border
     check_le(double(outliers), 6, "outliers beside a sharp edge");
     check_equal(summary.estimated + outliers, part.number_of_vertices(), "vertices beside a sharp edge");
@@ -724,6 +731,18 @@ void sharp_edges()
       const double least = on_edge && noise == 0 ? 5 : 100; // one ring of exact vertices on an edge crosses hardly
       check_ge(crossing, least * found, name + "errors of neighborhoods that go across");
     }
+}
+
+// The mean of the normals of both sides, as files have it for vertices on an edge, is no datum of either side.
+void normals_on_a_sharp_edge()
+{
+  jets::Options with_normals;
+  with_normals.use_normals = true;
+  const Folded_sheet sheet(true, 0.05);
+  constexpr std::size_t last = 2 * Folded_sheet::columns;
+  const double found = sheet.largest_error(0, last, with_normals), without = sheet.largest_error(0, last, {});
+  std::cout << "normals on a sharp edge: " << found << ", without normals " << without << std::endl;
+  check_le(found, without, "errors with exact normals, but means on a sharp edge, over those without normals");
 }
 
 // A surface without sharp edges has none: nothing changes.
@@ -992,6 +1011,7 @@ int main()
   sharp_tips();
   sides();
   sharp_edges();
+  normals_on_a_sharp_edge();
   no_sharp_edges();
   thin_plate();
   same_bits();

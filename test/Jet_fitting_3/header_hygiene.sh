@@ -107,6 +107,56 @@ for header in CGAL/Monge_via_jet_fitting.h CGAL/estimate_vertex_monge_forms.h CG
   done
 done
 
+# A user's global variables do not hide the functions that our headers call: all names that are called there are
+# variables first, but those that the libraries keep for themselves.
+if ! is_missing CGAL/config.h; then
+  {
+    grep -rho '#include <[^>]*>' CGAL | grep -v 'CGAL/Jet_fitting_3\|CGAL/estimate_\|CGAL/Lapack_svd' | sort -u |
+      sed 's|#include \(.*\)|#if __has_include(\1)\n&\n#endif|'
+    for header in Surface_mesh Polyhedron_3 Simple_cartesian; do echo "#include <CGAL/$header.h>"; done
+  } > "$scratch/libraries.h"
+  cat $(find CGAL -name '*.h') | sed 's|//.*||' | grep -oE '(^|[^A-Za-z0-9_.:>~])[a-z][a-z0-9_]* *\(' |
+    grep -oE '[a-z][a-z0-9_]*' | sort -u | sed 's/.*/int & = 1;/' > "$scratch/variables.h"
+  printf '#include "libraries.h"\n#include "variables.h"\n' > "$scratch/taken.cpp"
+  while
+    "$compiler" -std=c++17 -fsyntax-only -w -I. "$@" "$scratch/taken.cpp" 2>&1 |
+      sed -n 's/^.*variables\.h:\([0-9]*\):[0-9]*: error.*/\1d/p' > "$scratch/taken"
+    [ -s "$scratch/taken" ]
+  do
+    sed -f "$scratch/taken" "$scratch/variables.h" > "$scratch/left.h"
+    mv "$scratch/left.h" "$scratch/variables.h"
+  done
+  grep -qx 'int cross = 1;' "$scratch/variables.h" || fail "no variable is named as a function of ours"
+  cat > "$scratch/variables.cpp" << 'EOF'
+#include "libraries.h"
+#include "variables.h"
+#include <CGAL/Monge_via_jet_fitting.h>
+#include <CGAL/estimate_noise.h>
+#include <CGAL/estimate_point_monge_forms.h>
+#include <CGAL/estimate_vertex_monge_forms.h>
+#include <CGAL/Jet_fitting_3/extract_ridges.h>
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Form = CGAL::Monge_via_jet_fitting<Kernel>::Monge_form;
+template <class Mesh, class Forms>
+void use(Mesh& mesh, Forms forms, std::vector<Point> points)
+{
+  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::automatic(), forms);
+  CGAL::estimate_vertex_monge_forms(mesh, CGAL::Jet_fitting::k_rings(2), forms);
+  CGAL::estimate_noise(mesh);
+  std::vector<Form> of_points;
+  CGAL::estimate_point_monge_forms(points, CGAL::Jet_fitting::automatic(), std::back_inserter(of_points));
+  CGAL::estimate_point_monge_forms(points, CGAL::Jet_fitting::nearest(20), std::back_inserter(of_points));
+  CGAL::estimate_noise(points);
+  CGAL::Monge_via_jet_fitting<Kernel>()(points.begin(), points.end(), 4, 4);
+}
+template void use(CGAL::Surface_mesh<Point>&, CGAL::Surface_mesh<Point>::Property_map<CGAL::SM_Vertex_index, Form>,
+                  std::vector<Point>);
+EOF
+  "$compiler" -std=c++17 -fsyntax-only -w -I. "$@" "$scratch/variables.cpp" ||
+    fail "a user's global variable hides a function of ours"
+fi
+
 # CGAL's headers name their package in the $URL$ line. As in CGAL, a package depends on all packages that a header of
 # its own reaches; the list in package_info is that of CGAL 5.5.
 case $cgal_version in

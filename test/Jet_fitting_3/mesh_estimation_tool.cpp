@@ -274,6 +274,24 @@ void check_some_normals(const std::string& points)
   check_orientation_of_points("some.ply", "k1", 1);
 }
 
+// Errors follow the forms that are turned to agree with their neighbors.
+void check_errors_of_turned_points(const std::string& options)
+{
+  test::check_equal(run("points.xyz -q " + options + " -o up.ply").exit_code, 0, "errors of points");
+  test::check_equal(run("points.xyz -q --flip " + options + " -o down.ply").exit_code, 0, "errors inside out");
+  Mesh up = read_ply("up.ply"), down = read_ply("down.ply");
+  const auto k1 = property<float>(up, "k1"), of_k1 = property<float>(up, "k1_error"),
+             of_k2 = property<float>(up, "k2_error"), turned = property<float>(down, "k2"),
+             of_turned = property<float>(down, "k2_error");
+  std::size_t different = 0;
+  for (Vertex v : up.vertices()) {
+    test::check_equal(turned[v], -k1[v], "k2 of the other side with " + options);
+    test::check_equal(of_turned[v], of_k1[v], "its error with " + options);
+    different += of_k1[v] != of_k2[v];
+  }
+  test::check_true(different > up.number_of_vertices() / 2, "errors of k1 and k2 differ with " + options);
+}
+
 void check_points()
 {
   std::string lines = torus();
@@ -293,6 +311,8 @@ void check_points()
   test::check_equal(run("points.xyz -p 20 --flip -q -o points.ply").exit_code, 0, "a point set inside out");
   check_orientation_of_points("points.ply", "k1", 1);
   test::check_equal(run("points.xyz -p 20 -q -o points.ply").exit_code, 0, "a point set once more");
+  check_errors_of_turned_points("-p 20 --errors");
+  check_errors_of_turned_points("--automatic");
   check_some_normals(points);
   test::check_true(contents("points.ply").find("element vertex 2400") != std::string::npos, "all points are written");
   write("points.xyz", points + "1 2");

@@ -49,6 +49,7 @@ struct Arguments
   std::size_t degree_jet = 2, degree_monge = 2;
   std::optional<int> rings, points;
   std::optional<double> radius, sharp_angle;
+  bool chooses_at_any_size = false;
   bool orients_points = true, flips = false;
   CGAL::Jet_fitting::Options options;
   int threads = 0; // all

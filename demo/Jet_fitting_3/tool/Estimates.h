@@ -13,6 +13,7 @@
 #include <CGAL/Jet_fitting_3/Estimation_summary.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,11 +29,21 @@ struct Estimates
   std::vector<CGAL::Jet_fitting::Estimation_status> statuses;
   std::vector<float> numbers_of_points, condition_numbers, residuals;
   std::vector<float> biases, deviations, radii, degrees; // of an automatic choice
+  std::array<std::vector<float>, 2> curvature_errors;    // likewise
   std::vector<std::vector<float>> standard_errors;       // one for each coefficient, if asked for
   std::vector<std::size_t> sides;                        // of the corners of faces, by halfedge
   Summary summary;
 
   std::size_t size() const { return forms.size(); }
+
+  // The errors of the form of vertex v.
+  void keep_errors(std::size_t v, const CGAL::Jet_fitting::Fit_quality& quality)
+  {
+    for (std::size_t j = 0; j < curvature_errors.size(); ++j)
+      curvature_errors[j][v] = static_cast<float>(quality.scale.curvature_errors[j]);
+    const auto& errors = quality.standard_errors.coefficients;
+    for (std::size_t j = 0; j < errors.size(); ++j) standard_errors[j][v] = static_cast<float>(errors[j]);
+  }
 
   // Too few points, where another flag says more: no neighbor at all, or what was done about it.
   std::size_t count(CGAL::Jet_fitting::Status_flag flag) const

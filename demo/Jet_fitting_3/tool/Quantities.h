@@ -74,7 +74,9 @@ inline std::vector<Quantity> quantities(const Estimates& estimates, const Argume
   const auto add_columns = [&](std::initializer_list<const std::vector<float>*> columns) {
     for (const auto* column : columns) numbers.push_back([column](std::size_t v, int) { return double((*column)[v]); });
   };
-  if (a.is_automatic) add_columns({&estimates.biases, &estimates.deviations, &estimates.radii, &estimates.degrees});
+  if (a.is_automatic)
+    add_columns({&estimates.biases, &estimates.deviations, &estimates.curvature_errors[0],
+                 &estimates.curvature_errors[1], &estimates.radii, &estimates.degrees});
   else if (a.options.report_quality)
     add_columns({&estimates.condition_numbers, &estimates.residuals, &estimates.numbers_of_points});
 

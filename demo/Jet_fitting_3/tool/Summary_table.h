@@ -40,7 +40,7 @@ inline const char* advice(CGAL::Jet_fitting::Status_flag flag)
   case Flag::one_sided: return "neighbors mostly on one side, as at a border: errors are larger there";
   case Flag::near_umbilic: return "d1 and d2 mean little: flat or round places, or errors as large as curvatures";
   case Flag::pca_ambiguous:
-    return "neighbors far from a plane: sharp edges (--sharp-angle auto), or too many neighbors";
+    return "neighbors far from a plane: sharp edges (of meshes: --sharp-angle auto), or too many neighbors";
   case Flag::few_points_for_robust_loss: return "too few neighbors to tell outliers: more of them (-a, -p, -r)";
   case Flag::outlier: return "far from the surface of their neighbors: left out";
   default: return "";

@@ -21,7 +21,7 @@ Estimates CGAL_JET_FITTING_3_AT_LEVEL(estimate_forms)(const Mesh& mesh, const Ed
   const auto with = [&](const auto& of_mesh, const auto& of_points) {
     Estimates estimates = a.of_points ? estimate_points(mesh, context, of_points, a, callback)
                                       : estimate_mesh(mesh, is_sharp, of_mesh, a, callback);
-    if (!estimates.summary.cancelled) keep_quality(a.options, estimates);
+    if (!estimates.summary.cancelled) keep_quality(estimates);
     return estimates;
   };
   const auto automatic = CGAL::Jet_fitting::automatic();

@@ -30,12 +30,13 @@
 namespace tool {
 
 // Takes over what the summary tells of each form.
-inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& estimates)
+inline void keep_quality(Estimates& estimates)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::size_t size = estimates.size();
   for (auto* column : {&estimates.numbers_of_points, &estimates.condition_numbers, &estimates.residuals,
-                       &estimates.biases, &estimates.deviations, &estimates.radii, &estimates.degrees})
+                       &estimates.biases, &estimates.deviations, &estimates.radii, &estimates.degrees,
+                       &estimates.curvature_errors[0], &estimates.curvature_errors[1]})
     column->assign(size, nan);
   for (std::size_t v = 0; v < size; ++v) {
     const auto status = estimates.summary.status(v);
@@ -49,11 +50,10 @@ inline void keep_quality(const CGAL::Jet_fitting::Options& options, Estimates& e
     estimates.deviations[v] = static_cast<float>(quality.scale.standard_deviation);
     estimates.radii[v] = static_cast<float>(quality.scale.radius);
     estimates.degrees[v] = static_cast<float>(quality.scale.degree);
-    if (!options.standard_errors) continue;
-    const auto& errors = quality.standard_errors.coefficients;
-    if (errors.size() > estimates.standard_errors.size())
-      estimates.standard_errors.resize(errors.size(), std::vector<float>(size, nan));
-    for (std::size_t j = 0; j < errors.size(); ++j) estimates.standard_errors[j][v] = static_cast<float>(errors[j]);
+    const std::size_t errors = quality.standard_errors.coefficients.size();
+    if (errors > estimates.standard_errors.size())
+      estimates.standard_errors.resize(errors, std::vector<float>(size, nan));
+    estimates.keep_errors(v, quality);
   }
 }
 

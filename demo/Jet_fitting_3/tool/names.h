@@ -67,6 +67,8 @@ inline std::vector<Name> names_of_numbers(const Arguments& a)
   if (a.is_automatic) {
     names.push_back({"bias", "estimated bias of the curvatures", -1});
     names.push_back({"deviation", "estimated standard deviation of the curvatures by noise", -1});
+    names.push_back({"k1_error", "standard error of k1, bias included", -1});
+    names.push_back({"k2_error", "standard error of k2, bias included", -1});
     names.push_back({"radius", "chosen radius", 1});
     names.push_back({"degree", "chosen degree", 0});
   } else if (a.options.report_quality) {

@@ -74,7 +74,9 @@ inline std::string why_not_automatic(const Arguments& a, std::size_t size)
   if (a.options.weights_by_distance()) return "--weights is set";
   if (a.options.standard_errors) return "--errors is set";
   const std::size_t most = a.of_points ? most_points_for_automatic : most_vertices_for_automatic;
-  return size > most ? "there are more than " + std::to_string(most) + " of them" : "";
+  return size > most && !a.chooses_at_any_size
+             ? "there are more than " + std::to_string(most) + " of them (--automatic chooses nevertheless)"
+             : "";
 }
 
 // From which points the fits are made.

@@ -7,8 +7,8 @@
 #ifndef CGAL_DEMO_JET_FITTING_3_TOOL_ORIENT_POINTS_H
 #define CGAL_DEMO_JET_FITTING_3_TOOL_ORIENT_POINTS_H
 
-#include "Surface.h"
 #include "Estimates.h"
+#include "Surface.h"
 
 #include <CGAL/mst_orient_normals.h>
 
@@ -21,11 +21,22 @@
 
 namespace tool {
 
+// Turns a form, and what is told of it.
+inline void turn(std::size_t v, Estimates& estimates)
+{
+  estimates.forms[v].comply_wrt_given_normal(-estimates.forms[v].normal_direction());
+  if (!estimates.summary.status(v).is_estimated()) return; // a form to fill a gap, of which nothing is told
+  auto quality = estimates.summary.quality(v);
+  quality.turn();
+  estimates.keep_errors(v, quality);
+}
+
 // Turns the forms of points that came without normals so that neighbors agree: CGAL carries the orientation over a
 // minimum spanning tree, from the points that have normals, then for each connected part that is left from its highest
 // point, which looks upwards (or down). \return how many forms were reached
-inline std::size_t orient_points(const Mesh& points, std::vector<Monge_form>& forms, bool down)
+inline std::size_t orient_points(const Mesh& points, Estimates& estimates, bool down)
 {
+  std::vector<Monge_form>& forms = estimates.forms;
   constexpr unsigned int neighbors = 18; // as in CGAL's examples
   constexpr int most_parts = 20;
   std::vector<Vertex> order;
@@ -54,7 +65,8 @@ inline std::size_t orient_points(const Mesh& points, std::vector<Monge_form>& fo
                                                    .normal_map(normal_map)
                                                    .point_is_constrained_map(seed_map)
                                                    .geom_traits(Kernel()));
-    for (auto i = order.begin(); i != rest; ++i) forms[*i].comply_wrt_given_normal(normals[*i]);
+    for (auto i = order.begin(); i != rest; ++i)
+      if (forms[*i].normal_direction() * normals[*i] < 0) turn(*i, estimates);
     oriented += std::size_t(rest - order.begin());
     order.erase(order.begin(), rest);
   }

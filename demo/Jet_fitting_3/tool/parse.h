@@ -153,6 +153,7 @@ public:
        "points that the fit needs; for points: five times as many nearest ones")
       ("nb-points,p", po::value<int>()->value_name("n"), "neighbors: the n nearest points; 0: no effect")
       ("radius,r", po::value<double>()->value_name("x"), "neighbors: the points within this distance")
+      ("automatic", "choose degree and neighbors for each vertex from the data, however many there are")
       ("sharp-angle", po::value<std::string>()->value_name("degrees|auto"),
        "for CAD parts: edges at which the normals of the two faces make a larger angle (auto: 40) are sharp. The "
        "surface is cut open there: each side has forms, normals and colors of its own, and the edges are drawn")
@@ -307,6 +308,9 @@ private:
     };
     const auto is_given = [&given](const char* option) { return given.count(option) != 0; };
     a.leaves_choice = !is_given("degree-jet") && !is_given("nb-rings") && !is_given("nb-points") && !is_given("radius");
+    a.chooses_at_any_size = is_given("automatic");
+    if (a.chooses_at_any_size && !a.leaves_choice)
+      throw Usage_error("--automatic chooses what -d, -a, -p and -r give: it goes with none of them");
     a.degree_jet = degree("degree-jet", (std::max)(degree("degree-monge", 2), std::size_t(a.finds_ridges ? 4 : 2)));
     a.degree_monge = degree("degree-monge", a.degree_jet);
     if (a.degree_monge > a.degree_jet) throw Usage_error("--degree-monge must not exceed --degree-jet");

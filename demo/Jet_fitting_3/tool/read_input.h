@@ -153,7 +153,10 @@ inline Input read_mesh(const std::string& file)
   std::vector<Corners> faces;
   std::vector<Vector> normals;
   if (!read_soup(file, points, faces, normals))
-    throw Input_error(file, "not a complete " + extension(file) + " file: it is cut short or malformed");
+    throw Input_error(
+        file, !points.empty() && faces.empty()
+                  ? "no face was read: it is cut short, or of points alone, which xyz, pwn, off, ply and las files have"
+                  : "not a complete " + extension(file) + " file: it is cut short or malformed");
   if (normals.size() != points.size()) normals.clear();
   Input input;
   const std::string why_no_faces = why_not_faces(points.size(), faces);

@@ -29,15 +29,24 @@ struct Vector_3
   friend Vector_3 operator-(const Vector_3& a, const Vector_3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector_3 operator-(const Vector_3& a) { return {-a.x, -a.y, -a.z}; }
   friend Vector_3 operator*(const FT& s, const Vector_3& a) { return {s * a.x, s * a.y, s * a.z}; }
-
-  friend FT dot(const Vector_3& a, const Vector_3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-  friend Vector_3 cross(const Vector_3& a, const Vector_3& b)
-  {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
   /// @}
 };
+
+/// @{
+/// \ingroup PkgJetFitting3Steps
+/// As for vectors.
+template <class FT>
+FT dot(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class FT>
+Vector_3<FT> cross(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// @}
 
 CGAL_JET_FITTING_3_END_NATIVE
 } // namespace Jet_fitting

@@ -45,6 +45,10 @@ using Mask_of = decltype(FT(0) < FT(0));
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
 
+// Packs bring these, found by their arguments; named here, a user's variables of these names do not hide them.
+void select_lanes() = delete;
+void power_of_two_above_lanes() = delete;
+
 /// if_true where the mask holds, if_false elsewhere. Masks other than bool bring their select_lanes().
 template <class Mask, class FT>
 FT select(const Mask& mask, const FT& if_true, const Plain<FT>& if_false)

@@ -131,7 +131,7 @@ private:
     const Ladder& ladder = m_sample.ladder(member);
     const Learned_choice& learned = m_learned[member];
     m_within(i, reach(m_cloud, ladder, wanted.end()), near);
-    if (!frame) frame = local_frame(m_cloud, near, i, ladder);
+    if (!frame) frame = local_frame(m_cloud, near, i, ladder, wanted.end());
     const Local_ladder local = ladder_around(m_cloud, ladder, wanted, near, *frame,
                                              learned.chosen.looks.empty() ? nullptr : &learned.chosen.axis);
     Point_scale scale = choose(local);

@@ -34,6 +34,7 @@ constexpr double cautious = 0.25;       ///< standard errors that are added to a
 constexpr double bias_factor = 40;      ///< of a squared bias in an interval: it is known to a factor of 6 or so
 constexpr double hidden = 0.25;         ///< what a bias may add to the variance in an interval, without evidence
 constexpr double shown = 1.25;  ///< errors by which a bias shows, from which on it counts for more in an interval
+constexpr double of_many = 0.5; ///< errors by which one of the many sums of squares shows more, by chance
 constexpr double per_shown = 3; ///< standard deviations that it may then add for each further error
 constexpr double like_off_center = 0.1; ///< difference from which on places tell little of each other
 constexpr double flat_risk = 4;         ///< by how much heights have to be better than round heights: not by chance
@@ -202,6 +203,32 @@ public:
     return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (weights / total) / independent)};
   }
 
+  /// The squares that a higher degree leaves less than degree 2 of the same samples, beyond what it takes of noise,
+  /// over the variance that it leaves, as an F test has them. They tell a shape where no higher degree knows the
+  /// derivatives, as beside open ends.
+  Estimated explained(Shape shape, std::size_t rung, std::size_t degree) const
+  {
+    const double rows = m_ladder.with_normals ? 3 : 1; // of a sample
+    const double unknowns = double(number_of_jet_coefficients(degree)),
+                 more = unknowns - double(number_of_jet_coefficients(2));
+    double sum = 0, weights = 0, squares = 0;
+    for (const Member& member : m_patch) {
+      const std::vector<Rung>& rungs = member.ladder->of_shape(shape);
+      if (rung >= rungs.size() || !rungs[rung].has_neighbors_for(degree)) continue;
+      const Rung& fits = rungs[rung];
+      const double high = fits.of_degree(degree).misfit, low = fits.of_degree(2).misfit;
+      if (fits.size(2) != fits.size(degree) || !(variance(fits.of_degree(degree), 1) < unknown)) continue;
+      if (!(high > 0)) continue;
+      const double freedom = rows * fits.size(2) - unknowns;
+      sum += member.weight * ((low * (freedom + more) - high * freedom) / high - more);
+      weights += member.weight;
+      squares += member.weight * member.weight;
+    }
+    if (!(weights > 0)) return {0, unknown};
+    const double independent = std::min(weights * weights / squares, std::max(1., places_apart({shape, 2, rung})));
+    return {sum / weights, std::sqrt(2 * more / independent)};
+  }
+
 private:
   // How many fits of a shape have room side by side in the patch, about.
   double places_apart(const Fit& fit) const
@@ -244,9 +271,10 @@ struct Bias_bounds
     add_evidence(e);
   }
 
-  void add_evidence(const Estimated& e)
+  /// \param by_chance standard errors that do not count
+  void add_evidence(const Estimated& e, double by_chance = 0)
   {
-    if (e.error > 0) evidence = std::max(evidence, e.value / e.error);
+    if (e.error > 0) evidence = std::max(evidence, e.value / e.error - by_chance);
   }
 };
 
@@ -433,6 +461,9 @@ inline Bias_in_shape bias_in_shape(const Patch_statistics& statistics, const Pat
       if (ladder.with_normals && is_ellipse(shape) && degree == 2)
         compare_with_balls(statistics, ladder, {shape, degree, j}, bounds[j]);
       if (has_ellipse) compare_with_ellipse(statistics, long_shape(target), {shape, degree, j}, bounds[j]);
+      if (target > 0 && degree == 2)
+        for (std::size_t higher = 3; higher <= highest_nested_degree; ++higher)
+          bounds[j].add_evidence(statistics.explained(shape, j, higher), constant::of_many);
     }
     result[degree - 2] = pooled_bias(bounds, ladder.first, radii, target == 0 && degree == 4 ? 8 : 4);
   }

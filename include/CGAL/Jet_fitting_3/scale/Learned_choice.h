@@ -86,7 +86,7 @@ Local_ladder local_ladder_at(const Cloud& cloud, const Within& within, std::size
                              const Wanted_rungs& wanted, Indices& near)
 {
   within(i, reach(cloud, ladder, wanted.end()), near);
-  return ladder_around(cloud, ladder, wanted, near, local_frame(cloud, near, i, ladder));
+  return ladder_around(cloud, ladder, wanted, near, local_frame(cloud, near, i, ladder, wanted.end()));
 }
 
 template <class Within, class For_each>

@@ -183,6 +183,17 @@ inline numeric::Eigen_3<double> principal_axes(const Cloud& cloud, const Indices
   return numeric::symmetric_eigen_3(s);
 }
 
+/// The frame at the foot point of its origin on a surface with this height and these slopes there. The origin moves no
+/// farther from the point than five times the spread.
+inline Local_frame frame_at_foot(const Local_frame& frame, const Vector_3<double>& point, double height, double slope_u,
+                                 double slope_v, double spread)
+{
+  const Vector_3<double> n = unit_vector({-slope_u, -slope_v, 1});
+  const Vector_3<double> normal = frame.axes.out(n);
+  const Vector_3<double> foot = frame.origin + (height * n.z) * normal, d = foot - point;
+  return {dot(d, d) <= 25 * spread * spread ? foot : frame.origin, basis_around(unit_vector(normal))};
+}
+
 /// From positions: principal component analysis, then degree 2 twice, the origin moving to its foot point on the fitted
 /// surface, five times the spread of the points about that at most.
 inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, std::size_t i, double radius,
@@ -197,11 +208,8 @@ inline Local_frame frame_by_positions(const Cloud& cloud, const Indices& near, s
   for (int round = 0; round < 2; ++round) {
     const Nested_fit fit = fit_ball(cloud, nearest, frame, radius, noise);
     if (!fit.determines(2)) return frame;
-    const Vector_3<double> n = unit_vector({-fit.coefficient(1, 2), -fit.coefficient(2, 2), 1});
-    const Vector_3<double> normal = frame.axes.out(n);
-    const Vector_3<double> foot = frame.origin + (fit.coefficient(0, 2) * radius * n.z) * normal;
-    if (dot(foot - p, foot - p) <= 25 * spread * spread) frame.origin = foot;
-    frame.axes = basis_around(unit_vector(normal));
+    frame =
+        frame_at_foot(frame, p, fit.coefficient(0, 2) * radius, fit.coefficient(1, 2), fit.coefficient(2, 2), spread);
   }
   return frame;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Jet_fitting_3/scale/Local_frame.h>
 #include <CGAL/Jet_fitting_3/scale/Second_order.h>
 #include <CGAL/Jet_fitting_3/scale/fits_to_positions.h>
+#include <CGAL/Jet_fitting_3/scale/frame_at_open_end.h>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,14 @@ inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::siz
   return cloud.has_normals() ? frame_by_normals(cloud, near, i, ladder.radii[ladder.first],
                                                 ladder.radii[ladder.first + 1], ladder.noise)
                              : frame_by_positions(cloud, near, i, ladder.radii[ladder.frame], ladder.spread);
+}
+
+/// The same for fits of the rungs below the end, whose neighbors are needed.
+inline Local_frame local_frame(const Cloud& cloud, const Indices& near, std::size_t i, const Ladder& ladder,
+                               std::size_t end)
+{
+  const Local_frame frame = local_frame(cloud, near, i, ladder);
+  return cloud.has_normals() ? frame : frame_at_open_end(cloud, near, i, ladder, end, frame);
 }
 
 /// How far around a point its neighbors are needed for so many rungs: the origin may move.

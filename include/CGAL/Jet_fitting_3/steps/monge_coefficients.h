@@ -77,7 +77,7 @@ Monge_coefficients<FT> monge_coefficients(const Jet<FT>& jet, const Monge_basis<
   numeric::Power_series<FT> power = heights;
   FT factor(1);
   for (std::size_t m = 2; m + 1 <= dprime; ++m) {
-    power = product(power, heights, dprime + m - 1);
+    power = numeric::product(power, heights, dprime + m - 1);
     factor = -factor / FT(double(m));
     for (std::size_t k = m + 1; k <= dprime; ++k) {
       numeric::Buffer<FT, 32> term;

@@ -186,7 +186,7 @@ private:
   {
     const scale::Chosen_fit &x = e.choice.curvatures[0], &y = e.choice.curvatures[2];
     Chosen_scale chosen;
-    chosen.radius = std::hypot(radius_of_area(x), radius_of_area(y)) / std::sqrt(2);
+    chosen.radius = std::hypot(scale::radius_of_area(x), scale::radius_of_area(y)) / std::sqrt(2);
     chosen.degree = (std::max)(x.degree, y.degree);
     chosen.bias = std::sqrt((x.squared_bias + y.squared_bias) / 2);
     chosen.standard_deviation = std::sqrt((x.variance + y.variance) / 2);

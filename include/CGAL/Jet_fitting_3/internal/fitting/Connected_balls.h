@@ -10,7 +10,7 @@
 #include <CGAL/license/Jet_fitting_3.h>
 
 #include <CGAL/Jet_fitting_3/averaging/Walker.h>
-#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/internal/machine/Idle_searches.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Adjacency.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 
@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -46,21 +45,21 @@ public:
   /// Replaces `found` by the vertex and those in the ball.
   void operator()(std::size_t vertex, double radius, Indices& found) const
   {
-    std::unique_ptr<Walker> walker = borrowed();
+    auto walker = borrowed();
     walker->ball(vertex, radius, found);
-    give_back(std::move(walker));
+    m_idle.give_back(std::move(walker));
   }
 
   /// The radius of the ball that holds so many vertices, of those in the first rings that have half as many again; or
   /// all, if there are fewer.
   double radius_that_holds(std::size_t vertex, std::size_t count) const
   {
-    std::unique_ptr<Walker> walker = borrowed();
+    auto walker = borrowed();
     Indices found, ends;
     walker->rings(vertex, 1, found, ends);
     while (2 * found.size() < 3 * count && ends[ends.size() - 1] > ends[ends.size() - 2])
       walker->add_ring(vertex, found, ends);
-    give_back(std::move(walker));
+    m_idle.give_back(std::move(walker));
     std::vector<double> squares;
     for (const std::size_t v : found) {
       const Vector_3<double> d = m_surface.points[v] - m_surface.points[vertex];
@@ -72,26 +71,15 @@ public:
   }
 
 private:
-  std::unique_ptr<Walker> borrowed() const
+  Idle_searches<Walker>::Borrowed borrowed() const
   {
-    const std::lock_guard<Spin_mutex> lock(m_mutex);
-    if (m_idle.empty()) return std::make_unique<Walker>(m_surface);
-    std::unique_ptr<Walker> walker = std::move(m_idle.back());
-    m_idle.pop_back();
-    return walker;
-  }
-
-  void give_back(std::unique_ptr<Walker> walker) const
-  {
-    const std::lock_guard<Spin_mutex> lock(m_mutex);
-    m_idle.push_back(std::move(walker));
+    return m_idle.borrow([this] { return std::make_unique<Walker>(m_surface); }, [](const Walker&) { return false; });
   }
 
   std::vector<Vector_3<double>> m_no_normals;
   std::vector<double> m_no_units;
   Surface m_surface;
-  mutable Spin_mutex m_mutex;
-  mutable std::vector<std::unique_ptr<Walker>> m_idle;
+  mutable Idle_searches<Walker> m_idle;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE

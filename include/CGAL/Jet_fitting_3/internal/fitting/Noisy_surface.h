@@ -100,8 +100,9 @@ private:
     if (!normals.of_faces.empty() &&
         averaging::follow_from_faces(surface(), given, normals_of_nodes(tables, normals.of_faces)))
       return;
+    const std::size_t of_no_side = m_surface.forget_normals_of_no_side(given);
     averaging::Sound_normals sound = averaging::sound_normals(surface(), std::move(given), for_each);
-    noise.wrong_normals = sound.wrong;
+    noise.wrong_normals = of_no_side + sound.wrong;
     const averaging::Size_of_noise estimated = averaging::noise_of_normals(surface(), sound.normals);
     noise.normal = options.normal_noise.value_or(estimated.value);
     noise.normal_error = options.normal_noise ? 0 : estimated.error;

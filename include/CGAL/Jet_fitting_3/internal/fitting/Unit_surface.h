@@ -80,14 +80,12 @@ public:
     : m_points(points(tables)), m_surface{m_points, m_normals, Edges{&tables.adjacency}, m_units}
   {
     if (!options.keep_outliers) leave_out_outliers(tables.adjacency, for_each);
-    std::vector<Vector_3<double>> of_sides; // normals
-    if (!options.cross_sharp_edges) of_sides = keep_to_sides(for_each);
+    if (!options.cross_sharp_edges) keep_to_sides(for_each);
     m_units = averaging::lengths_around(m_surface);
     m_components = averaging::connected_components(m_points.size(), m_surface.neighbors);
     m_surface.components = &m_components;
-    m_normals =
-        averaging::smoothed(averaging::filled(normals(of_mesh, tables.adjacency, of_sides), m_surface.neighbors),
-                            m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
+    m_normals = averaging::smoothed(averaging::filled(normals(of_mesh, tables.adjacency), m_surface.neighbors),
+                                    m_surface.neighbors, std::vector<int>(m_points.size(), first_rounds));
     if (has_normals) return;
     m_stretches = averaging::stretches_around(m_surface);
     for (std::size_t i = 0; i < m_units.size(); ++i) m_units[i] *= averaging::length_factor(m_stretches[i].ratio);
@@ -128,6 +126,22 @@ public:
     m_surface.planes = &m_planes;
   }
 
+  /// Forgets given normals beside sharp edges that are far from those of their sides, as the mean of both sides.
+  /// \return how many
+  std::size_t forget_normals_of_no_side(std::vector<Vector_3<double>>& given) const
+  {
+    constexpr double least_cosine = 0.97; // of a quarter of a radian
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < m_normals_of_sides.size(); ++i) {
+      const Vector_3<double>& of_side = m_normals_of_sides[i];
+      const double cosine = std::abs(dot(of_side, given[i]));
+      if (!(dot(of_side, of_side) > 0) || !(dot(given[i], given[i]) > 0) || cosine >= least_cosine) continue;
+      given[i] = {0, 0, 0};
+      ++count;
+    }
+    return count;
+  }
+
   /// Takes normals as data, one for each vertex, beside tangent planes.
   /// \param noise of them \param squares_of_noise of the points, as for the planes
   void take_normals(std::vector<Vector_3<double>> normals, double noise, const std::vector<double>& squares_of_noise)
@@ -148,14 +162,13 @@ private:
         adjacency.filtered([&](Index node, Index neighbor) { return !m_outliers[node] && !m_outliers[neighbor]; }));
   }
 
-  /// \return normals of the sides, see Edges_along_sides, if there are any
   template <class For_each>
-  std::vector<Vector_3<double>> keep_to_sides(const For_each& for_each)
+  void keep_to_sides(const For_each& for_each)
   {
     auto found = edges_along_sides(m_points, *m_surface.neighbors.adjacency, for_each);
-    if (!found) return {};
+    if (!found) return;
     take_edges(std::move(found->adjacency));
-    return std::move(found->normals);
+    m_normals_of_sides = std::move(found->normals);
   }
 
   void take_edges(Adjacency edges)
@@ -205,8 +218,7 @@ private:
 
   /// Of the mesh; unknown where an edge is so long that its faces alone have a say, and around outliers: those around
   /// tell more. Beside sharp edges those of the sides.
-  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency,
-                                        const std::vector<Vector_3<double>>& of_sides) const
+  std::vector<Vector_3<double>> normals(const Normal_table& of_mesh, const Adjacency& adjacency) const
   {
     constexpr double far = 1000;
     std::vector<Vector_3<double>> result = unit_vectors(of_mesh, m_points.size());
@@ -215,9 +227,10 @@ private:
         const Vector_3<double> edge = m_points[v] - m_points[i];
         if (is_outlier(v) || std::sqrt(dot(edge, edge)) > far * m_units[i]) result[i] = {0, 0, 0};
       }
-    for (std::size_t i = 0; i < of_sides.size(); ++i) {
-      const double cosine = dot(of_sides[i], result[i]);
-      if (cosine != 0) result[i] = cosine < 0 ? -of_sides[i] : of_sides[i];
+    for (std::size_t i = 0; i < m_normals_of_sides.size(); ++i) {
+      const Vector_3<double>& of_side = m_normals_of_sides[i];
+      const double cosine = dot(of_side, result[i]);
+      if (cosine != 0) result[i] = cosine < 0 ? -of_side : of_side;
     }
     return result;
   }
@@ -225,6 +238,7 @@ private:
   std::vector<char> m_outliers; // flags, if they are left out
   Adjacency m_edges;            // if some are left out
   std::vector<Vector_3<double>> m_points, m_normals;
+  std::vector<Vector_3<double>> m_normals_of_sides; // see Edges_along_sides; none if there is no sharp edge
   std::vector<averaging::Tangent_plane> m_planes;
   std::vector<double> m_units;
   std::vector<std::size_t> m_components;

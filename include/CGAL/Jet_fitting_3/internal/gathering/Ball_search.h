@@ -11,7 +11,7 @@
 
 #include <CGAL/Jet_fitting_3/internal/Index.h>
 #include <CGAL/Jet_fitting_3/internal/gathering/Neighbor_search.h>
-#include <CGAL/Jet_fitting_3/internal/machine/parallel.h>
+#include <CGAL/Jet_fitting_3/internal/machine/Idle_searches.h>
 #include <CGAL/Jet_fitting_3/internal/tables/Sample_set.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Linked_points.h>
@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -28,8 +27,7 @@ namespace Jet_fitting {
 namespace internal {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// The samples in a ball around a sample, as a function object that several threads may call. Each call borrows one of
-/// the searches, which own buffers.
+/// The samples in a ball around a sample, as a function object that several threads may call.
 template <class Number>
 class Ball_search
 {
@@ -56,7 +54,8 @@ public:
   {
     found.clear();
     const Index s = static_cast<Index>(sample);
-    std::unique_ptr<Search> search = borrowed(s);
+    auto search = m_idle.borrow([this] { return std::make_unique<Search>(m_samples.tree()); },
+                                [s](const Search& last) { return last.is_near_last(s); });
     Rows rows{found, {}};
     search->within_radius_of_next(s, radius / m_per_length, m_samples, rows);
     if (!m_left_out.empty()) {
@@ -64,8 +63,7 @@ public:
       found.erase(std::remove_if(found.begin(), found.end(), is_left_out), found.end());
     }
     m_links.keep_side(sample, found);
-    const std::lock_guard<Spin_mutex> lock(m_mutex);
-    m_idle.push_back(std::move(search));
+    m_idle.give_back(std::move(search));
   }
 
 private:
@@ -82,24 +80,11 @@ private:
     }
   };
 
-  // The last one that was near this sample, if there is one.
-  std::unique_ptr<Search> borrowed(Index sample) const
-  {
-    const std::lock_guard<Spin_mutex> lock(m_mutex);
-    if (m_idle.empty()) return std::make_unique<Search>(m_samples.tree());
-    for (auto& search : m_idle)
-      if (search->is_near_last(sample)) std::swap(search, m_idle.back());
-    std::unique_ptr<Search> search = std::move(m_idle.back());
-    m_idle.pop_back();
-    return search;
-  }
-
   const Sample_set<Number>& m_samples;
   double m_per_length;
   std::vector<char> m_left_out;
   scale::Linked_points m_links;
-  mutable Spin_mutex m_mutex;
-  mutable std::vector<std::unique_ptr<Search>> m_idle;
+  mutable Idle_searches<Search> m_idle;
 };
 
 CGAL_JET_FITTING_3_END_NATIVE
