@@ -94,10 +94,10 @@ struct Options : Fit_options
   /// With automatic() the noise is that of the whole point set or mesh. Unless normal_noise is given, normals are left
   /// aside where far smaller errors are expected without them, or where they seem to be computed from the faces or the
   /// points themselves; then their noise is reported as infinite, and they only orient. Normals of vertices may be on
-  /// either side as far as they are data; those that are wrong are left out (Noise::wrong_normals), and a vertex
-  /// without a normal is a sample by its position. A point of a set that is no sample still gets a form if samples
-  /// surround it; otherwise its status is Status_flag::too_few_points. Of any point of a set it is
-  /// Status_flag::rank_deficient where a fit leans more than 45 degrees from the tangent plane.
+  /// either side as far as they are data, those of points are on one; those that are wrong are left out
+  /// (Noise::wrong_normals), and a vertex without a normal is a sample by its position. A point of a set that is no
+  /// sample still gets a form if samples surround it; otherwise its status is Status_flag::too_few_points. Of any point
+  /// of a set it is Status_flag::rank_deficient where a fit leans more than 45 degrees from the tangent plane.
   bool use_normals = false;
 
   /// With automatic(): outliers (Status_flag::outlier) are data like others, and have forms.

@@ -199,7 +199,7 @@ public:
       ++n;
     }
     if (n < 2) return {0, unknown};
-    const double independent = std::min(weights * weights / squares, std::max(1., places_apart(of_reference)));
+    const double independent = independent_places(weights, squares, of_reference);
     return {sum / total, std::sqrt((m_target == 0 ? 1 : 2) * (weights / total) / independent)};
   }
 
@@ -225,16 +225,17 @@ public:
       squares += member.weight * member.weight;
     }
     if (!(weights > 0)) return {0, unknown};
-    const double independent = std::min(weights * weights / squares, std::max(1., places_apart({shape, 2, rung})));
-    return {sum / weights, std::sqrt(2 * more / independent)};
+    return {sum / weights, std::sqrt(2 * more / independent_places(weights, squares, {shape, 2, rung}))};
   }
 
 private:
-  // How many fits of a shape have room side by side in the patch, about.
-  double places_apart(const Fit& fit) const
+  // How many members tell something new of a fit, by their summed weights, and by how many such fits have room side by
+  // side in the patch, about.
+  double independent_places(double weights, double squares, const Fit& fit) const
   {
     const double ratio = m_ladder.patch / m_ladder.radii[fit.rung];
-    return 2 * ratio * ratio * (is_ellipse(fit.shape) ? elongation : 1);
+    const double side_by_side = 2 * ratio * ratio * (is_ellipse(fit.shape) ? elongation : 1);
+    return std::min(weights * weights / squares, std::max(1., side_by_side));
   }
 
   // Of unknown variance where there is no such fit.

@@ -122,6 +122,9 @@ inline Second_order with_misfit_as_noise(Second_order s)
   return s;
 }
 
+/// Of both slopes together.
+inline double variance_of_slopes(const Second_order& fit) { return fit.covariance[0][0] + fit.covariance[1][1]; }
+
 /// The values in axes that are turned by an angle from x to y, with the variances of each.
 struct Turned_second_order
 {
@@ -143,7 +146,7 @@ inline Turned_second_order turned(const Second_order& s, double cosine, double s
   t.round = s.round;
   t.value[0] = cosine * s.value[0] + sine * s.value[1];
   t.value[1] = cosine * s.value[1] - sine * s.value[0];
-  t.slopes_variance = s.covariance[0][0] + s.covariance[1][1];
+  t.slopes_variance = variance_of_slopes(s);
   for (std::size_t i = 0; i < 3; ++i) {
     t.value[2 + i] = t.variance[i] = 0;
     for (std::size_t k = 0; k < 3; ++k) {

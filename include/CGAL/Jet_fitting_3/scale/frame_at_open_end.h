@@ -24,9 +24,6 @@ namespace Jet_fitting {
 namespace scale {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
-/// Of both slopes together.
-inline double variance_of_slopes(const Second_order& fit) { return fit.covariance[0][0] + fit.covariance[1][1]; }
-
 /// Of fits to balls that grow, the last one whose slopes differ from those of the ones before by no more than these
 /// may err by noise: the choice of scale of Lepski (1991).
 /// \return nothing if the first is undetermined
