@@ -111,8 +111,9 @@ done
 # variables first, but those that the libraries keep for themselves.
 if ! is_missing CGAL/config.h; then
   {
-    grep -rho '#include <[^>]*>' CGAL | grep -v 'CGAL/Jet_fitting_3\|CGAL/estimate_\|CGAL/Lapack_svd' | sort -u |
-      sed 's|#include \(.*\)|#if __has_include(\1)\n&\n#endif|'
+    grep -rho '#include <[^>]*>' CGAL | sed 's|#include <\(.*\)>|\1|' | sort -u | while read -r header; do
+      [ -e "$header" ] || printf '#if __has_include(<%s>)\n#include <%s>\n#endif\n' "$header" "$header"
+    done
     for header in Surface_mesh Polyhedron_3 Simple_cartesian; do echo "#include <CGAL/$header.h>"; done
   } > "$scratch/libraries.h"
   cat $(find CGAL -name '*.h') | sed 's|//.*||' | grep -oE '(^|[^A-Za-z0-9_.:>~])[a-z][a-z0-9_]* *\(' |
