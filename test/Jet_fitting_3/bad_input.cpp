@@ -17,10 +17,13 @@
 #include <CGAL/Monge_via_jet_fitting.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 using namespace test;
 
@@ -126,12 +129,64 @@ void bases(const std::string& door)
   fit(points.begin(), points.end(), 2, 2, good);
 }
 
+// Of points that can be read only once, as those of a stream.
+template <class Point>
+class Reader
+{
+public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = Point;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const Point*;
+  using reference = const Point&;
+
+  struct Stream
+  {
+    std::vector<Point> points;
+    std::size_t next = 0;
+  };
+
+  Reader() = default; // the end
+  explicit Reader(Stream& stream) : m_stream(&stream) { ++*this; }
+
+  reference operator*() const { return *m_point; }
+  Reader& operator++()
+  {
+    if (m_stream->next == m_stream->points.size()) m_stream = nullptr;
+    else m_point = &m_stream->points[m_stream->next++];
+    return *this;
+  }
+  Reader operator++(int)
+  {
+    const Reader before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(const Reader& a, const Reader& b) { return a.m_stream == b.m_stream; }
+  friend bool operator!=(const Reader& a, const Reader& b) { return !(a == b); }
+
+private:
+  Stream* m_stream = nullptr;
+  const Point* m_point = nullptr;
+};
+
+template <class Fit>
+void points_that_are_read_once(const std::string& door)
+{
+  using Point = typename Fit::Data_kernel::Point_3;
+  typename Reader<Point>::Stream stream{as<Point>(paraboloid(20))};
+  Fit fit;
+  check_throws<Invalid_input>([&] { fit(Reader<Point>(stream), Reader<Point>(), 2, 2); }, {"once", "forward"},
+                              door + "points that can be read only once");
+}
+
 template <class Fit>
 void results_that_are_not_there(const std::string& door)
 {
   using Point = typename Fit::Data_kernel::Point_3;
   const auto points = as<Point>(paraboloid(20));
   Fit fit;
+  check_equal(fit.condition_number(), 0., door + "condition number before the first fit");
   const auto form = fit(points.begin(), points.end(), 2, 1);
   const auto condition_number = fit.condition_number();
   check_throws<std::out_of_range>([&] { form.principal_curvatures(0); }, {"1"}, door + "k1 of a form of degree 1");
@@ -154,6 +209,7 @@ void everything(const std::string& door)
   coordinates_that_are_not_finite<Fit>(door);
   bases<Fit>(door);
   results_that_are_not_there<Fit>(door);
+  points_that_are_read_once<Fit>(door);
 }
 
 int main()

@@ -15,10 +15,8 @@
 
 #include "samples.h"
 
-#include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
-#include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
+#include <CGAL/Jet_fitting_3/clouds/Cloud_scale.h>
 #include <CGAL/Jet_fitting_3/solvers/Orthogonal_solver.h>
-#include <CGAL/Jet_fitting_3/steps/monge_basis.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -51,11 +49,10 @@ Published read_published(const char* name)
   return published;
 }
 
-survey::Found found(const jets::Jet<double>& jet, const jets::Local_frame& frame)
+survey::Found found(const scale::Estimate_at_scale& e)
 {
-  const jets::Monge_basis<double> m = jets::monge_basis(jet, frame.axes);
-  const auto out = [&frame](const Vector& v) { return frame.axes.out(v); };
-  return {(m.k1 + m.k2) / 2, m.k1, m.k2, out(m.axes.x), out(m.axes.y), out(m.axes.z)};
+  const double k1 = e.coefficients[0], k2 = e.coefficients[1];
+  return {(k1 + k2) / 2, k1, k2, e.monge_axes.x, e.monge_axes.y, e.monge_axes.z};
 }
 
 struct Row
@@ -76,14 +73,12 @@ Row run(const survey::Surface& surface, const std::vector<Vector>& exact, double
   const auto [points, normals] = survey::noisy_samples(surface, exact, sigma, one_seed);
   const survey::Grid grid(points, .08);
   const scale::Cloud cloud{points.data(), with_normals ? normals.data() : nullptr, points.size()};
-  const scale::Automatic_scale<Within> automatic(cloud, Within{&grid, &points});
+  const scale::Cloud_scale<Within> automatic(cloud, Within{&grid, &points});
   jets::Orthogonal_solver<double> solver;
   scale::Indices near;
   std::array<std::vector<double>, survey::number_of_quantities> all;
   for (std::size_t i = 0; i < points.size(); i += every) {
-    const scale::Point_scale choice = automatic(i, near);
-    const auto jet = scale::jet_at_scale(automatic.cloud(), near, choice, 2, automatic.ladder(choice), solver);
-    const auto e = survey::errors(found(jet.value(), choice.frame), survey::truth(surface, exact[i]));
+    const auto e = survey::errors(found(automatic.estimate(i, 2, solver, near)), survey::truth(surface, exact[i]));
     for (std::size_t q = 0; q < e.size(); ++q) all[q].push_back(e[q]);
   }
   Row row;

@@ -68,7 +68,11 @@ public:
                 "LocalKernel::FT and SvdTraits::FT must be the same type (section 4.3.5 of the paper)");
 
   /// Nothing has been estimated yet.
-  Monge_via_jet_fitting() { m_last.fitting = {}; } // not all of m_last: compilers would fill its buffers with zeros
+  Monge_via_jet_fitting()
+  {
+    m_last.fitting = {}; // not all of m_last: compilers would fill its buffers with zeros
+    m_last.fit.solution.condition_number = FT(0);
+  }
 
   /// Estimates at p = *begin from the points of [begin, end), in the basis of their PCA.
   ///
@@ -131,7 +135,7 @@ public:
   Estimate estimate(ForwardIterator begin, ForwardIterator end, Normal_iterator normals, std::size_t d,
                     std::size_t dprime, const Fit_options& options = default_options()) const
   {
-    const std::size_t size = std::size_t(std::distance(begin, end));
+    const std::size_t size = number_of(begin, end);
     check_degrees(d, dprime);
     check_number_of_oriented_samples(size, d);
     check_options_for_normals(options);
@@ -164,6 +168,16 @@ private:
     return options;
   }
 
+  // Iterators that can be read only once, as those of streams, are at the end after the first pass.
+  template <class ForwardIterator>
+  static std::size_t number_of(ForwardIterator begin, ForwardIterator end)
+  {
+    const std::size_t size = std::size_t(std::distance(begin, end));
+    if (size > 1 && ++begin == end)
+      throw Invalid_input("the samples can be read only once: forward iterators are needed, as those of a container");
+    return size;
+  }
+
   static Fitting_basis<FT> pca(const Samples<FT>& samples) { return fitting_basis(samples); }
 
   static auto in_given(const Given_basis& basis)
@@ -180,7 +194,7 @@ private:
   static Local_estimate<FT> estimation(ForwardIterator begin, ForwardIterator end, std::size_t d, std::size_t dprime,
                                        const Make_fitting_basis& make_fitting_basis, const Fit_options& options)
   {
-    const std::size_t size = std::size_t(std::distance(begin, end));
+    const std::size_t size = number_of(begin, end);
     check_degrees(d, dprime);
     check_number_of_samples(size, d);
     const typename DataKernel::Point_3& p = *begin;

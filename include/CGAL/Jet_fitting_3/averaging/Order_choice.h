@@ -24,19 +24,37 @@ namespace Jet_fitting {
 namespace averaging {
 CGAL_JET_FITTING_3_BEGIN_NATIVE
 
+/// What is expected of an error, squared.
+struct Squared_error
+{
+  double variance = 0, squared_bias = 0;
+  double doubtful_bias = 0; ///< squared, with what is uncertain of it
+
+  double risk() const { return variance + squared_bias; }
+  double most() const { return variance + doubtful_bias; }
+
+  void add(double factor, const Squared_error& other)
+  {
+    variance += factor * other.variance;
+    squared_bias += factor * other.squared_bias;
+    doubtful_bias += factor * other.doubtful_bias;
+  }
+};
+
 /// All derivatives of one order at a vertex as means of several fits, in a given frame.
 struct Order_estimate
 {
   std::vector<double>
-      derivatives;           ///< z_x..x, z_x..xy, ..., z_y..y, in length^(1 - order); empty: there is no candidate
-  std::vector<double> risks; ///< their squared errors, by noise and bias, as estimated
+      derivatives; ///< z_x..x, z_x..xy, ..., z_y..y, in length^(1 - order); empty: there is no candidate
+  std::vector<Squared_error> squared_errors;
+  std::vector<Mean_scale> scales; ///< radii in units
 
   bool exists() const { return !derivatives.empty(); }
-  double error(std::size_t j) const { return std::sqrt(risks[j]); }
+  double error(std::size_t j) const { return std::sqrt(squared_errors[j].most()); }
 };
 
-/// Chooses radii and degrees for derivatives of order 3 or 4 in principal axes, each for itself, as Surface_choice does
-/// for order 2, but in disks only.
+/// Chooses radii and degrees for derivatives of one order in principal axes, each for itself, as Surface_choice does
+/// for order 2 of a mesh, but in disks only.
 template <class Fits>
 class Order_choice
 {
@@ -205,8 +223,11 @@ private:
         value += choice.weights[c] * candidates[c].values[j];
       }
       result.derivatives.push_back(value * unit / sum / std::sqrt(binomial(m_order, j)));
-      result.risks.push_back(unit * unit * (choice.variance + doubtful_bias(candidates, choice, m_targets[j])) /
-                             binomial(m_order, j));
+      result.squared_errors.emplace_back();
+      result.squared_errors.back().add(unit * unit / binomial(m_order, j),
+                                       {choice.variance, choice.squared_bias,
+                                        doubtful_bias(candidates, choice, m_targets[j])});
+      result.scales.push_back(mean_scale(choice, m_grid));
     }
     return result;
   }
@@ -225,13 +246,14 @@ private:
       return form[0];
     };
     Order_estimate result;
+    result.scales = e.scales;
     for (std::size_t j = 0; j <= m_order; ++j) {
       result.derivatives.push_back(derivative(e.derivatives, j));
-      result.risks.push_back(0);
+      result.squared_errors.emplace_back();
       for (std::size_t k = 0; k <= m_order; ++k) {
         std::vector<double> unit(m_order + 1);
         unit[k] = 1;
-        result.risks.back() += std::pow(derivative(unit, j), 2) * e.risks[k];
+        result.squared_errors.back().add(std::pow(derivative(unit, j), 2), e.squared_errors[k]);
       }
     }
     return result;

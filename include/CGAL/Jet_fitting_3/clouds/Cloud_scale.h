@@ -8,8 +8,10 @@
 #define CGAL_JET_FITTING_3_CLOUDS_CLOUD_SCALE_H
 
 #include <CGAL/Jet_fitting_3/averaging/Order_choice.h>
+#include <CGAL/Jet_fitting_3/clouds/Chosen_places.h>
 #include <CGAL/Jet_fitting_3/clouds/Fits_to_balls.h>
 #include <CGAL/Jet_fitting_3/clouds/High_degrees.h>
+#include <CGAL/Jet_fitting_3/clouds/Means_over_balls.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic.h>
 #include <CGAL/Jet_fitting_3/scale/Automatic_scale.h>
@@ -21,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,9 +63,14 @@ public:
       m_high(m_automatic.cloud(), within, noise ? 0 : highest_of_orders)
   {
     learn_high_degrees(for_each);
-    if (order > 2)
-      learn_higher_orders(within, for_each, std::min(order, cloud.has_normals() ? 3 : highest_chosen_order),
-                          highest_of_orders);
+    const bool has_means = !cloud.has_normals() && !m_high.is_used();
+    if (order == 2 && !has_means) return;
+    const Chosen_places places = chosen_places(averaging::most_places / (order > 2 ? 1 : 2), for_each);
+    if (places.points.empty()) return;
+    if (has_means) m_means.emplace(this->cloud(), within, highest_of_orders, places, for_each);
+    const std::size_t last = std::min(order, cloud.has_normals() ? 3 : highest_chosen_order);
+    for (std::size_t d = 3; d <= last; ++d)
+      m_higher.push_back(choice_of_order(Fits(this->cloud(), within, d), highest_of_orders, places, for_each));
   }
 
   /// Of the whole cloud.
@@ -146,9 +152,17 @@ private:
     return !(dot(d, d) < 0.25 * radius * radius);
   }
 
-  // Of high degree where that has been learned to be better; where it is worse than expected the better one.
   template <class Solver>
   Point_scale choice_at(std::size_t i, Indices& near, Solver& solver) const
+  {
+    Point_scale choice = choice_of_one_fit_each(i, near, solver);
+    if (m_means) m_means->improve(i, m_automatic.ladder(choice), choice);
+    return choice;
+  }
+
+  // Of high degree where that has been learned to be better; where it is worse than expected the better one.
+  template <class Solver>
+  Point_scale choice_of_one_fit_each(std::size_t i, Indices& near, Solver& solver) const
   {
     const std::optional<std::size_t> level = m_high.is_used() ? m_automatic.level(i, near) : std::nullopt;
     const auto* chosen = level ? m_high.near(i, m_automatic.ladder(*level)) : nullptr;
@@ -176,31 +190,23 @@ private:
     return some;
   }
 
+  // Those of so many learned points at which something is chosen.
   template <class For_each>
-  void learn_higher_orders(const Within& within, const For_each& for_each, std::size_t order, std::size_t highest)
+  Chosen_places chosen_places(std::size_t most, const For_each& for_each) const
   {
-    const Indices some = some_learned(averaging::most_places);
+    const Indices some = some_learned(most);
     std::vector<Point_scale> choices(some.size());
     for_each(some.size(), [&](std::size_t k) {
       Indices near;
       choices[k] = m_automatic(some[k], near);
     });
-    std::vector<Point_on_ladder> places;
-    std::map<std::size_t, Local_frame> frames;
-    for (std::size_t k = 0; k < some.size(); ++k)
-      if (choices[k].is_chosen) {
-        places.push_back({some[k], &m_automatic.ladder(choices[k])});
-        frames[some[k]] = choices[k].frame;
-      }
-    if (places.empty()) return;
-    const auto frame_at = [&](Indices&, const Point_on_ladder& place) { return frames.at(place.index); };
-    const auto each = [&](std::size_t count, const auto& make_body) {
-      for_each(count, [&](std::size_t k) { make_body()(k); });
-    };
-    std::vector<double> radii{1};
-    while (radii.size() < least_rungs) radii.push_back(ladder_step * radii.back());
-    for (std::size_t d = 3; d <= order; ++d)
-      m_higher.emplace_back(Fits(cloud(), within, d), radii, highest, places, frame_at, each);
+    Chosen_places places;
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      if (!choices[k].is_chosen) continue;
+      places.points.push_back({some[k], &m_automatic.ladder(choices[k])});
+      places.choices.push_back(std::move(choices[k]));
+    }
+    return places;
   }
 
   // Those above 2, as far as they are asked for and can be told.
@@ -220,6 +226,7 @@ private:
 
   Automatic_scale<Within> m_automatic;
   High_degrees<Within> m_high;
+  std::optional<Means_over_balls<Within>> m_means;     // of second derivatives
   std::vector<averaging::Order_choice<Fits>> m_higher; // order 3, and 4
 };
 

@@ -27,6 +27,7 @@ struct Point_on_ladder
 {
   std::size_t index;
   const Ladder* ladder;
+  Roundness round{}; ///< of the heights that are fitted, without normals
 };
 
 /// Fits to the points within balls for averaging::Order_choice, as Fits_to_disks to those of a surface. The unit is the
@@ -38,7 +39,7 @@ public:
   using Vertex = Point_on_ladder;
   using Worker = Indices;
 
-  /// \param order 3, or 4 without normals: potentials of the Gauss map are a surface's to third order
+  /// \param order 3, or 2 to 4 without normals: potentials of the Gauss map are a surface's to third order
   Fits_to_balls(const Cloud& cloud, const Within& within, std::size_t order)
     : m_cloud(cloud), m_within(within), m_order(order)
   {}
@@ -61,7 +62,7 @@ public:
     const std::size_t rungs = std::min(ladder.first + selection.shells(), ladder.radii.size());
     m_within(v.index, reach(m_cloud, ladder, rungs), near);
     const Samples samples = m_cloud.has_normals() ? samples_with_normals(near, frame, ladder, rungs)
-                                                  : samples_over_surface(near, frame, ladder, rungs);
+                                                  : samples_over_surface(near, frame, v, rungs);
     averaging::Moments moments;
     if (m_cloud.has_normals()) {
       const Row_weights weights(m_cloud, ladder.noise, unit(ladder));
@@ -82,9 +83,10 @@ private:
 
   static double unit(const Ladder& ladder) { return ladder.radii[ladder.first]; }
 
-  Samples samples_over_surface(const Indices& near, const Local_frame& frame, const Ladder& ladder,
-                               std::size_t rungs) const
+  Samples samples_over_surface(const Indices& near, const Local_frame& frame, const Vertex& v, std::size_t rungs) const
   {
+    const Ladder& ladder = *v.ladder;
+    const Roundness round{unit(ladder) * v.round.sum, unit(ladder) * unit(ladder) * v.round.product};
     const std::vector<Look> looks = look_at_all(rungs);
     const Local_neighbors neighbors(m_cloud, near, frame, unit(ladder));
     const Balls balls(radii_of(looks, ladder), neighbors.unit());
@@ -92,6 +94,7 @@ private:
     const auto shells = neighbors.over_surface(cut_by_heights(neighbors, weights, ladder, balls, looks));
     Samples samples;
     samples.places.assign(shells.places.begin(), shells.places.end());
+    for (Vector_3<double>& p : samples.places) p.z = round.height(p);
     samples.ends.assign(shells.ends.begin() + std::ptrdiff_t(ladder.first), shells.ends.end());
     return samples;
   }
