@@ -26,8 +26,8 @@ namespace Jet_fitting {
 
 /// \ingroup PkgJetFitting3Results
 /// What automatic() chose for the principal curvatures at a point; all zero with other neighborhoods. Of the two
-/// curvatures, which choose for themselves, the larger degree, and roots of mean squares. On meshes a curvature is a
-/// mean of fits: of their radii by weight the root of the mean square, and the degree that has most of the weight.
+/// curvatures, which choose for themselves, the larger degree, and roots of mean squares. Where a curvature is a mean
+/// of fits, as on meshes: of their radii by weight the root of the mean square, and the degree with most of the weight.
 struct Chosen_scale
 {
   double radius = 0;             ///< length; of balls or disks, or of disks of the area of ellipses
