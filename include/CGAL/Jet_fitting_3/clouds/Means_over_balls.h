@@ -48,17 +48,18 @@ public:
   {}
 
   /// Takes them for those of a choice at point i, where they are better at the nearest place. Not where only this point
-  /// shows a bias: places know nothing of it.
+  /// shows a bias: places know nothing of it. Nor where they know no more of themselves, or noise may be shape.
   void improve(std::size_t i, const Ladder& ladder, Point_scale& choice) const
   {
     if (!choice.is_chosen || choice.is_unlike_others || is_of_high_degree(choice)) return;
+    if (ladder.noise_may_be_shape()) return;
     if (!noise_exceeds_rounding(m_cloud, ladder.noise, choice.normal.radius)) return; // normal equations lack digits
     const Point_on_ladder point = with_round({i, &ladder}, choice);
     const averaging::Whereabouts place = m_fits.place(point);
     if (!m_are_better[averaging::nearest_place(m_places, place)]) return;
     Indices near;
     const averaging::Order_estimate means = m_choice.estimate(near, point, choice.frame);
-    if (!means.exists()) return;
+    if (!means.exists() || !have_shorter_intervals(means, choice)) return;
     Jet<double> jet(2);
     jet(0, 0) = point.round.height(Vector_3<double>{0, 0, choice.jet(0, 0)});
     std::copy(means.derivatives.begin(), means.derivatives.end(), jet.part(2));
@@ -106,6 +107,15 @@ private:
   static double shown_bias(const Chosen_fit& fit)
   {
     return std::min(fit.squared_bias, std::max(0., fit.doubtful_bias - constant::hidden * fit.variance));
+  }
+
+  // Along both axes.
+  static bool have_shorter_intervals(const averaging::Order_estimate& means, const Point_scale& choice)
+  {
+    const auto have = [&](std::size_t t) {
+      return means.squared_errors[t].most() < squared_error(choice.curvatures[t]);
+    };
+    return have(0) && have(2);
   }
 
   // Of the squared errors that are expected of the means by those of the choice, along one of the axes. Unknown where
