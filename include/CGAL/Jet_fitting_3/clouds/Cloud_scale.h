@@ -53,7 +53,7 @@ public:
   /// \param within, for_each, noise, highest_choice see Automatic_scale
   /// \param order the highest that is asked for; order 3 has a choice of its own, and without normals order 4
   /// \param highest_of_orders the highest degree that may be chosen for these, and for order 2 where the noise is
-  ///        estimated and far below the bias of degree 4
+  ///        estimated and far below the bias of degree 4, or where means are taken
   /// \throw Invalid_input if there are too few points
   template <class For_each = One_by_one>
   Cloud_scale(const Cloud& cloud, const Within& within, const For_each& for_each = For_each(),

@@ -8,15 +8,14 @@
 #define CGAL_JET_FITTING_3_CLOUDS_MEANS_OVER_BALLS_H
 
 #include <CGAL/Jet_fitting_3/averaging/Order_choice.h>
-#include <CGAL/Jet_fitting_3/clouds/Fits_to_balls.h>
 #include <CGAL/Jet_fitting_3/clouds/Chosen_places.h>
+#include <CGAL/Jet_fitting_3/clouds/Fits_to_balls.h>
 #include <CGAL/Jet_fitting_3/numeric/native.h>
 #include <CGAL/Jet_fitting_3/scale/Point_scale.h>
 #include <CGAL/Jet_fitting_3/scale/jet_at_scale.h>
 #include <CGAL/Jet_fitting_3/values/Jet.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
